@@ -1,0 +1,16 @@
+#pragma once
+
+#include <type_traits>
+
+/// The one list of a plain struct's fields, written once below the struct: printing, comparing and recording all use it.
+///
+///     struct Sphere { Vec3 center; double radius; };
+///     RAYLAB_FIELDS(Sphere, RAYLAB_FIELD(center) RAYLAB_FIELD(radius))
+///
+/// gives `for_each_field(sphere, visit)`, which calls `visit("center", sphere.center)` and so on, in that order.
+#define RAYLAB_FIELDS(Type, fields)                                  \
+  template <class Visit>                                             \
+  constexpr void for_each_field(const Type& object, Visit&& visit) { \
+    fields                                                           \
+  }
+#define RAYLAB_FIELD(name) visit(#name, object.name);

@@ -1,0 +1,30 @@
+#pragma once
+
+#ifndef GLM_FORCE_CTOR_INIT
+#define GLM_FORCE_CTOR_INIT  // a vector that nobody set is zero, not whatever was in memory
+#endif
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace raylab {
+
+/// A point or a direction in world space, in scene units. `dot`, `cross` and `length` are GLM's.
+using Vec3 = glm::dvec3;
+
+/// Red, green and blue, each 0 for none; 1 is the brightest that an image shows. Not clamped until a pixel is finished.
+using Color = glm::dvec3;
+
+/// The unit vector along `v`. Any length but zero is fine, even one whose square is too small or too large for a double.
+inline Vec3 unit(const Vec3& v) {
+  const double squared = glm::dot(v, v);
+  if (squared > 1e-280 && squared < 1e280) return v / std::sqrt(squared);
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const int exponent = std::ilogb(largest);
+  const Vec3 scaled(std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent));
+  return scaled / std::sqrt(glm::dot(scaled, scaled));
+}
+
+}  // namespace raylab

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/math/sample.hpp"
+#include "core/math/vec3.hpp"
+#include "core/scene/scene.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace raylab {
+
+/// Where in a pixel the samples lie.
+enum class AntiAliasing { none, grid4, rotated4, grid16, grid64 };
+
+/// The sample places of a pattern, in pixels from the pixel's centre: one in the centre, the centres of n x n equal squares
+/// row by row from the top left, or the rotated grid of the handout's section 2.1.
+std::vector<SampleOffset> sample_offsets(AntiAliasing pattern);
+
+/// What to compute of a scene.
+struct Settings {
+  int stage = 7;                   ///< the last stage that takes part, from 1
+  ImageSize size;                  ///< of the image, in place of the scene's
+  int max_bounces = 5;             ///< in place of the scene's
+  std::optional<AntiAliasing> aa;  ///< nothing: as the stage says, one sample before stage 7, the rotated grid from there
+};
+
+/// How many rays of each kind were traced, and how many samples that was.
+struct RayCounts {
+  std::uint64_t primary = 0;
+  std::uint64_t shadow = 0;
+  std::uint64_t reflected = 0;
+  std::uint64_t refracted = 0;
+  std::uint64_t samples = 0;
+
+  RayCounts& operator+=(const RayCounts& other);
+};
+
+/// Thrown by an engine out of its work when it is asked to stop.
+struct Cancelled {};
+
+/// One way to compute images, ready to run: the scene prepared, the settings fixed. All its functions are const and may run
+/// in several threads at once; the same row gives the same bits, whatever else runs.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// Computes whole rows of the image from `first_row` down, the top row being 0, into `pixels`: row by row from the left,
+  /// clamped to 0..1, as many rows as fit (pixels.size() is a multiple of the image's width). Adds to `counts`.
+  /// Throws Cancelled within a few milliseconds once `cancel` is set.
+  virtual void trace_rows(int first_row, std::span<Color> pixels, RayCounts& counts,
+                          const std::atomic<bool>& cancel) const = 0;
+};
+
+}  // namespace raylab

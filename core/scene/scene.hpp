@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/math/camera.hpp"
+#include "core/math/lights.hpp"
+#include "core/math/material.hpp"
+#include "core/math/ray.hpp"
+#include "core/math/shapes.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace raylab {
+
+/// The size of an image in pixels, each 1 to 65536.
+struct ImageSize {
+  int width = 640;
+  int height = 480;
+};
+
+struct PlaneObject {
+  Plane shape;
+  Material material;
+};
+
+struct SphereObject {
+  Sphere shape;
+  Material material;
+};
+
+/// Many opaque spheres that share one material; with a table of colours each has its own instead of `material.color`.
+struct SphereCloud {
+  std::vector<Sphere> spheres;
+  std::vector<Color> colors;  ///< empty, or one for each sphere
+  Material material;
+};
+
+/// All that a scene file says, as plain data: one array for each kind of thing, in file order. Numbers are as written:
+/// directions are not yet unit vectors.
+struct Scene {
+  std::string title;
+  int max_bounces = 5;  ///< 0 to 100; the primary ray is bounce 0
+  Color background;
+  Camera camera;
+  ImageSize image;
+  std::vector<PlaneObject> planes;
+  std::vector<SphereObject> spheres;
+  std::vector<SphereCloud> clouds;
+  std::vector<PointLight> point_lights;
+  std::vector<DirectionalLight> directional_lights;
+  std::vector<AmbientLight> ambient_lights;
+};
+
+/// How many geometries there are: GeometryIds run from 0 to one less.
+inline std::size_t geometry_count(const Scene& scene) {
+  std::size_t count = scene.planes.size() + scene.spheres.size();
+  for (const SphereCloud& cloud : scene.clouds) count += cloud.spheres.size();
+  return count;
+}
+
+}  // namespace raylab
