@@ -17,14 +17,18 @@ using Vec3 = glm::dvec3;
 /// Red, green and blue, each 0 for none; 1 is the brightest that an image shows. Not clamped until a pixel is finished.
 using Color = glm::dvec3;
 
+/// `v` times the power of two that brings its largest component to 1..2: the same direction to the last bit, with squares
+/// that neither vanish nor overflow. `v` is not zero.
+inline Vec3 scaled(const Vec3& v) {
+  const int exponent = std::ilogb(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+  return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+}
+
 /// The unit vector along `v`. Any length but zero is fine, even one whose square is too small or too large for a double.
 inline Vec3 unit(const Vec3& v) {
   const double squared = glm::dot(v, v);
   if (squared > 1e-280 && squared < 1e280) return v / std::sqrt(squared);
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const int exponent = std::ilogb(largest);
-  const Vec3 scaled(std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent));
-  return scaled / std::sqrt(glm::dot(scaled, scaled));
+  return scaled(v) / glm::length(scaled(v));
 }
 
 }  // namespace raylab

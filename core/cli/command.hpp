@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace raylab::cli {
+
+/// Exit codes of the program.
+enum ExitCode { success = 0, failure = 1, wrong_usage = 2, interrupted = 130 };
+
+/// Ends a command with an exit code; what() is for the user.
+struct Failure : std::runtime_error {
+  explicit Failure(const std::string& what, ExitCode exit_code = failure)
+      : std::runtime_error(what), code(exit_code) {}
+  ExitCode code;
+};
+
+// Each adds its command, with its options and help, to the program. A command that is given runs while the command line is
+// parsed, and throws Failure or any other exception if it fails.
+
+void add_render(CLI::App& app);
+void add_sheet(CLI::App& app);
+void add_check_scene(CLI::App& app);
+void add_stages(CLI::App& app);
+void add_test(CLI::App& app, const std::filesystem::path& program);
+
+}  // namespace raylab::cli

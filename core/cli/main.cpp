@@ -1,0 +1,42 @@
+#include "core/cli/command.hpp"
+#include "core/render/engine.hpp"
+
+#include <exception>
+#include <iostream>
+
+int main(int argc, char** argv) {
+  using namespace raylab::cli;
+  CLI::App app(
+      "A staged ray tracing lab: render a scene at any of its stages, check scenes, run each stage's tests.\n\n"
+      "Examples:\n"
+      "  raylab render scenes/scene5.toml                     the finished picture, out/scene5-ssaa.png\n"
+      "  raylab render scenes/scene5.toml --stage shadows     what stage 4 makes of it\n"
+      "  raylab sheet scenes/scene5.toml                      all stages side by side\n"
+      "  raylab test 5                                        the tests of stage 5\n"
+      "  raylab COMMAND --help                                more about a command",
+      "raylab");
+  app.set_version_flag("--version", RAYLAB_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  add_render(app);
+  add_sheet(app);
+  add_check_scene(app);
+  add_stages(app);
+  add_test(app, argv[0]);
+
+  try {
+    app.parse(argc, argv);
+    return success;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? success : wrong_usage;
+  } catch (const raylab::Cancelled&) {
+    std::cerr << "raylab: interrupted, nothing was written\n";
+    return interrupted;
+  } catch (const Failure& error) {
+    std::cerr << "raylab: " << error.what() << '\n';
+    return error.code;
+  } catch (const std::exception& error) {
+    std::cerr << "raylab: " << error.what() << '\n';
+    return failure;
+  }
+}

@@ -1,0 +1,125 @@
+#include "core/image/image_file.hpp"
+
+#include "core/image/partial_file.hpp"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace raylab {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& why) {
+  throw std::runtime_error(path.string() + ": " + why);
+}
+
+std::string lower_extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+OIIO::TypeDesc component_type(const fs::path& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".exr") return OIIO::TypeDesc::FLOAT;
+  if (extension == ".tif" || extension == ".tiff") return OIIO::TypeDesc::DOUBLE;
+  return OIIO::TypeDesc::UINT8;
+}
+
+/// The components of `pixels` in the type that the file stores.
+template <class T>
+std::vector<T> components(std::span<const Color> pixels) {
+  std::vector<T> values;
+  values.reserve(3 * pixels.size());
+  for (const Color& pixel : pixels)
+    for (int channel = 0; channel < 3; ++channel) {
+      if constexpr (std::is_same_v<T, unsigned char>)
+        values.push_back(quantise(pixel[channel]));
+      else
+        values.push_back(static_cast<T>(pixel[channel]));
+    }
+  return values;
+}
+
+}  // namespace
+
+unsigned char quantise(double component) {
+  // Written so that a NaN, which converts to no integer, gives 0.
+  const double level = std::floor(255 * component + 0.5);
+  return level > 0 ? static_cast<unsigned char>(std::min(level, 255.0)) : static_cast<unsigned char>(0);
+}
+
+struct ImageWriter::State {
+  fs::path path;
+  int width;
+  OIIO::TypeDesc type;
+  PartialFile file;
+  std::unique_ptr<OIIO::ImageOutput> output;
+
+  void write(int first_row, int rows, const void* values) const {
+    if (!output->write_scanlines(first_row, first_row + rows, 0, type, values)) fail(path, output->geterror());
+  }
+};
+
+ImageWriter::ImageWriter(const fs::path& path, int width, int height) {
+  if (path.extension().empty()) fail(path, "an image's name needs an ending that says its format: .png, .exr or .tif");
+  state_.reset(new State{path, width, component_type(path), PartialFile(path), nullptr});
+  const std::string temporary = state_->file.temporary().string();
+  state_->output = OIIO::ImageOutput::create(temporary);
+  if (!state_->output) {
+    OIIO::geterror();  // its text speaks of plug-ins
+    fail(path, "no image format is known for the ending '" + path.extension().string() + "': use .png, .exr or .tif");
+  }
+  OIIO::ImageSpec spec(width, height, 3, state_->type);
+  spec.channelnames = {"R", "G", "B"};
+  // OpenImageIO takes floats for linear light, which they are as little as the bytes: they are to be shown as they are.
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  if (!state_->output->open(temporary, spec)) fail(path, "cannot be written: " + state_->output->geterror());
+}
+
+ImageWriter::~ImageWriter() = default;
+
+void ImageWriter::write_rows(int first_row, std::span<const Color> pixels) {
+  const int rows = static_cast<int>(pixels.size() / static_cast<std::size_t>(state_->width));
+  if (state_->type == OIIO::TypeDesc::UINT8)
+    state_->write(first_row, rows, components<unsigned char>(pixels).data());
+  else if (state_->type == OIIO::TypeDesc::FLOAT)
+    state_->write(first_row, rows, components<float>(pixels).data());
+  else
+    state_->write(first_row, rows, components<double>(pixels).data());
+}
+
+void ImageWriter::finish() {
+  if (!state_->output->close()) fail(state_->path, "cannot be written: " + state_->output->geterror());
+  state_->file.commit();
+}
+
+void write_image(const fs::path& path, const Image& image) {
+  ImageWriter writer(path, image.width, image.height);
+  writer.write_rows(0, image.pixels);
+  writer.finish();
+}
+
+Image read_image(const fs::path& path) {
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
+  if (!input) fail(path, OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.nchannels != 3) fail(path, "has " + std::to_string(spec.nchannels) + " channels, wanted 3");
+  Image image(spec.width, spec.height);
+  std::vector<double> values(3 * image.pixels.size());
+  if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::DOUBLE, values.data())) fail(path, input->geterror());
+  for (std::size_t k = 0; k < image.pixels.size(); ++k)
+    image.pixels[k] = Color(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
+  return image;
+}
+
+}  // namespace raylab

@@ -1,0 +1,36 @@
+#include "core/image/partial_file.hpp"
+
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace raylab {
+namespace fs = std::filesystem;
+
+PartialFile::PartialFile(fs::path path) : path_(std::move(path)) {
+  std::error_code ignored;
+  if (fs::is_directory(path_, ignored)) throw std::runtime_error(path_.string() + ": is a folder: name a file in it");
+  std::error_code error;
+  if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), error);
+  if (error) throw std::runtime_error(path_.string() + ": cannot make its folder: " + error.message());
+
+  std::ostringstream name;
+  name << "." << path_.stem().string() << "." << std::hex << std::random_device{}() << ".partial"
+       << path_.extension().string();
+  temporary_ = path_.parent_path() / name.str();
+}
+
+PartialFile::~PartialFile() {
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+}
+
+void PartialFile::commit() {
+  std::error_code error;
+  fs::rename(temporary_, path_, error);
+  if (error) throw std::runtime_error(path_.string() + ": cannot be written: " + error.message());
+}
+
+}  // namespace raylab

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+
+namespace raylab {
+
+/// A file that appears under its name whole or not at all: it is written under another name in the same folder, and takes
+/// its own with commit(). Without commit() it is removed.
+class PartialFile {
+ public:
+  /// Makes the folder if it is missing. Throws std::runtime_error if that fails or `path` is a folder itself.
+  explicit PartialFile(std::filesystem::path path);
+  ~PartialFile();
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+
+  /// Where to write. A hidden name that no other run uses; it ends like the file's own.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  /// Gives the finished, closed file its name. Throws std::runtime_error if that fails.
+  void commit();
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+};
+
+}  // namespace raylab

@@ -1,0 +1,144 @@
+#include "core/render/render.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace raylab {
+namespace {
+
+constexpr int band_rows = 8;
+
+/// The bands of an image on their way from the threads that compute them to the one that wants them in order.
+class Bands {
+ public:
+  Bands(const Engine& engine, ImageSize size, unsigned threads, const std::atomic<bool>& cancel)
+      : engine_(engine),
+        size_(size),
+        count_((size.height + band_rows - 1) / band_rows),
+        ahead_(static_cast<int>(4 * threads)),
+        cancel_(cancel) {
+    for (unsigned k = 0; k < threads; ++k) threads_.emplace_back([this] { work(); });
+  }
+
+  ~Bands() {
+    {
+      const std::lock_guard lock(mutex_);
+      stop_ = true;
+    }
+    changed_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  Bands(const Bands&) = delete;
+  Bands& operator=(const Bands&) = delete;
+
+  int count() const { return count_; }
+
+  /// The pixels of a band, once they are there; meanwhile calls `waiting` every 50 ms. Bands are taken in order.
+  template <class Waiting>
+  std::vector<Color> take(int band, Waiting waiting) {
+    std::unique_lock lock(mutex_);
+    while (!finished_.contains(band) && !failure_ && !cancel_) {
+      changed_.wait_for(lock, std::chrono::milliseconds(50));
+      lock.unlock();
+      waiting();
+      lock.lock();
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    if (cancel_) throw Cancelled{};
+    taken_ = band + 1;
+    changed_.notify_all();
+    return std::move(finished_.extract(band).mapped());
+  }
+
+  double done() const { return static_cast<double>(rows_done_) / size_.height; }
+
+  RayCounts counts() {
+    const std::lock_guard lock(mutex_);
+    return counts_;
+  }
+
+ private:
+  void work() {
+    try {
+      for (int band = next_++; band < count_; band = next_++) {
+        wait_for_turn(band);
+        if (stop_) return;
+        compute(band);
+      }
+    } catch (const Cancelled&) {
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      stop_ = true;
+    }
+    changed_.notify_all();
+  }
+
+  /// Keeps a thread from running far ahead of a slow band: finished bands wait in memory.
+  void wait_for_turn(int band) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return stop_ || band < taken_ + ahead_; });
+  }
+
+  void compute(int band) {
+    const int first_row = band * band_rows;
+    const int rows = std::min(band_rows, size_.height - first_row);
+    const auto width = static_cast<std::size_t>(size_.width);
+    std::vector<Color> pixels(static_cast<std::size_t>(rows) * width);
+    RayCounts counts;
+    for (int row = 0; row < rows; ++row) {
+      const std::span<Color> one = std::span(pixels).subspan(static_cast<std::size_t>(row) * width, width);
+      engine_.trace_rows(first_row + row, one, counts, stop_);
+      ++rows_done_;
+    }
+    const std::lock_guard lock(mutex_);
+    counts_ += counts;
+    finished_.emplace(band, std::move(pixels));
+    changed_.notify_all();
+  }
+
+  const Engine& engine_;
+  const ImageSize size_;
+  const int count_;
+  const int ahead_;
+  const std::atomic<bool>& cancel_;
+  std::atomic<bool> stop_ = false;
+  std::atomic<int> next_ = 0;
+  std::atomic<int> rows_done_ = 0;
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
+  std::map<int, std::vector<Color>> finished_;
+  int taken_ = 0;
+  RayCounts counts_;
+  std::exception_ptr failure_;
+  std::vector<std::thread> threads_;
+};
+
+bool finite(const Color& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
+
+}  // namespace
+
+RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, const RowSink& sink, const Progress& progress,
+                    const std::atomic<bool>& cancel) {
+  RenderTotals totals;
+  Bands bands(engine, size, std::max(1u, threads), cancel);
+  for (int band = 0; band < bands.count(); ++band) {
+    const std::vector<Color> pixels = bands.take(band, [&] { progress(bands.done()); });
+    totals.non_finite_pixels +=
+        static_cast<std::uint64_t>(std::count_if(pixels.begin(), pixels.end(), [](const Color& c) { return !finite(c); }));
+    sink(band * band_rows, pixels);
+    progress(bands.done());
+  }
+  totals.rays = bands.counts();
+  return totals;
+}
+
+}  // namespace raylab

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/render/engine.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+namespace raylab {
+
+/// Takes finished rows, from the top of the image down, in the thread that called render(). `pixels` is valid during the
+/// call.
+using RowSink = std::function<void(int first_row, std::span<const Color> pixels)>;
+
+/// Told now and then, at least ten times a second, which part of the image is finished: 0 to 1. In the thread that called
+/// render().
+using Progress = std::function<void(double done)>;
+
+struct RenderTotals {
+  RayCounts rays;
+  std::uint64_t non_finite_pixels = 0;  ///< pixels with a component that is no finite number: always a mistake somewhere
+};
+
+/// Renders an image of `size` in bands of rows over `threads` threads (at least 1). The same pixels for any number.
+/// Throws Cancelled soon after `cancel` is set, and whatever the engine, the sink or `progress` throws.
+RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, const RowSink& sink, const Progress& progress,
+                    const std::atomic<bool>& cancel);
+
+}  // namespace raylab

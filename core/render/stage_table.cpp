@@ -1,0 +1,84 @@
+#include "core/render/stage_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+#include <type_traits>
+#include <typeinfo>
+
+namespace raylab {
+namespace {
+
+constexpr StageInfo all_stages[] = {
+#define RAYLAB_STAGE(number, name, folder) {number, name, folder},
+    RAYLAB_STAGES(RAYLAB_STAGE)
+#undef RAYLAB_STAGE
+};
+
+constexpr TaskInfo all_tasks[] = {
+#define RAYLAB_TASK(label, function, summary) {label, #function, summary},
+    RAYLAB_TASKS(RAYLAB_TASK)
+#undef RAYLAB_TASK
+};
+
+template <class Function>
+void import_task(const ExportedTasks& exported, std::string_view label, Function& function) {
+  const std::span tasks(exported.tasks, exported.count);
+  const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const ExportedTask& t) { return t.label == label; });
+  if (found == tasks.end()) throw std::runtime_error("task " + std::string(label) + " is missing from this implementation");
+  if (std::string_view(found->signature) != typeid(std::remove_pointer_t<Function>).name())
+    throw std::runtime_error("task " + std::string(label) + " takes or returns other types than its contract says");
+  function = reinterpret_cast<Function>(found->function);
+}
+
+bool selects(std::string_view selection, std::string_view label) {
+  return selection == label || selection == label.substr(0, label.find('.'));
+}
+
+template <class Function>
+void add_filter(std::vector<RayFilter>& filters, Function function) {
+  if constexpr (std::is_same_v<Function, RayFilter>) filters.push_back(function);
+}
+
+}  // namespace
+
+std::span<const StageInfo> stage_list() { return all_stages; }
+
+std::span<const TaskInfo> task_list() { return all_tasks; }
+
+int stage_of(std::string_view task_label) {
+  int stage = 0;
+  std::from_chars(task_label.data(), task_label.data() + task_label.size(), stage);
+  return stage;
+}
+
+StageTable import_tasks(const ExportedTasks& exported) {
+  if (exported.version != contract_version)
+    throw std::runtime_error("this implementation was built for version " + std::to_string(exported.version) +
+                             " of the contracts, wanted " + std::to_string(contract_version) + ": build it again");
+  StageTable table;
+#define RAYLAB_IMPORT(label, function, summary) import_task(exported, label, table.function);
+  RAYLAB_TASKS(RAYLAB_IMPORT)
+#undef RAYLAB_IMPORT
+  return table;
+}
+
+void mix(StageTable& table, const StageTable& other, std::string_view selection) {
+  bool any = false;
+#define RAYLAB_MIX(label, function, summary) \
+  if (selects(selection, label)) table.function = other.function, any = true;
+  RAYLAB_TASKS(RAYLAB_MIX)
+#undef RAYLAB_MIX
+  if (!any) throw std::invalid_argument("no stage or task is called '" + std::string(selection) + "'");
+}
+
+std::vector<RayFilter> ray_filters(const StageTable& table, int last_stage) {
+  std::vector<RayFilter> filters;
+#define RAYLAB_FILTER(label, function, summary) \
+  if (stage_of(label) <= last_stage) add_filter(filters, table.function);
+  RAYLAB_TASKS(RAYLAB_FILTER)
+#undef RAYLAB_FILTER
+  return filters;
+}
+
+}  // namespace raylab

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/math/seen.hpp"
+#include "core/math/task_export.hpp"
+#include "stages/stages.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raylab {
+
+/// One function for each task of every stage: all that the driver and the tests know of an implementation.
+struct StageTable {
+#define RAYLAB_MEMBER(label, function, summary) decltype(&contract::function) function = nullptr;
+  RAYLAB_TASKS(RAYLAB_MEMBER)
+#undef RAYLAB_MEMBER
+};
+
+struct TaskInfo {
+  std::string_view label;    ///< "5.1"
+  std::string_view name;     ///< the function's: "reflect"
+  std::string_view summary;  ///< "the mirror image of a direction"
+};
+
+struct StageInfo {
+  int number;               ///< from 1
+  std::string_view name;    ///< "blinn-phong"
+  std::string_view folder;  ///< in every tree: "03_blinn_phong"
+};
+
+/// All stages and all tasks, in order.
+std::span<const StageInfo> stage_list();
+std::span<const TaskInfo> task_list();
+
+/// The number of the stage that a task belongs to: 5 for "5.1".
+int stage_of(std::string_view task_label);
+
+/// The table of an implementation's exported tasks. Throws std::runtime_error if they were built for other contracts.
+StageTable import_tasks(const ExportedTasks& exported);
+
+/// Puts the tasks of `other` that `selection` names, a stage ("4") or a task ("5.1"), into `table`.
+/// Throws std::invalid_argument if there is no such stage or task.
+void mix(StageTable& table, const StageTable& other, std::string_view selection);
+
+/// The ray filters of `table` up to and including stage `last_stage`.
+std::vector<RayFilter> ray_filters(const StageTable& table, int last_stage);
+
+}  // namespace raylab

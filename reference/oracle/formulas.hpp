@@ -1,0 +1,134 @@
+#pragma once
+
+// MODEL.md's formulas as printed, in its order. Its section numbers and decisions [D n] stand in the comments, and its
+// symbols are the names: L, N, V, R are unit vectors, but for R0 and R, the reflected part.
+#include "core/math/camera.hpp"
+#include "core/math/ray.hpp"
+#include "core/math/sample.hpp"
+#include "core/scene/scene.hpp"
+#include "reference/oracle/number.hpp"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace raylab::oracle {
+
+// ---- 1 Rays ---------------------------------------------------------------------------------------------------------
+
+template <class T>
+struct Ray {
+  Vec3<T> origin;
+  Vec3<T> direction;  ///< unit
+  Leaves leaves;
+};
+
+template <class T>
+class Lens {
+ public:
+  Lens(const Camera& camera, const ImageSize& image)
+      : position_(camera.position), width_(image.width), height_(image.height) {
+    f_ = unit(Vec3<T>(camera.facing));
+    r_ = unit(cross(f_, Vec3<T>(camera.up)));
+    u_ = cross(r_, f_);
+    const T theta = T(camera.half_field_of_view) * boost::math::constants::pi<T>() / 180;
+    s_ = 2 * tan(theta) / std::max(image.width, image.height);
+  }
+
+  Ray<T> ray(int column, int row, const SampleOffset& sample) const {
+    const T x = column + 1 - width_ / 2;
+    const T y = height_ / 2 - row;
+    const T half = T(1) / 2;
+    const Vec3<T> along = f_ + ((x - half + sample.dx) * s_) * r_ + ((y - half + sample.dy) * s_) * u_;
+    return {position_, unit(along), {}};
+  }
+
+ private:
+  Vec3<T> position_, f_, r_, u_;
+  T width_, height_, s_;
+};
+
+// ---- 2 Intersections ------------------------------------------------------------------------------------------------
+
+/// The one t >= 0 with (o + t d - c).n = 0.
+template <class T>
+std::optional<T> meet_plane(const Ray<T>& ray, const Vec3<T>& c, const Vec3<T>& n) {
+  const T slope = dot(ray.direction, n);
+  if (sign(slope, T(1)) == 0) return std::nullopt;  // parallel, or in the plane
+  const T height = dot(c - ray.origin, n);
+  if (sign(height, size(c) + size(ray.origin)) == 0) return T(0);
+  const T t = height / slope;
+  return t > 0 ? std::optional<T>(t) : std::nullopt;
+}
+
+/// The least t >= 0 with |o + t d - c| = R, from t^2 + 2 b t + gap = 0.
+template <class T>
+std::optional<T> meet_sphere(const Ray<T>& ray, const Vec3<T>& c, const T& radius) {
+  const Vec3<T> f = ray.origin - c;
+  const T b = dot(f, ray.direction);
+  const T gap = dot(f, f) - radius * radius;
+  const T scale = size(f) * (size(ray.origin) + size(c)) + radius * radius;
+  const int place = sign(gap, scale);  // of the origin: -1 inside, 0 on the sphere, 1 outside
+  if (place == 0) return T(0);
+  const T discriminant = b * b - gap;
+  if (place < 0) return T(-b + sqrt(discriminant));
+  const int meets = sign(discriminant, scale);
+  if (b >= 0 || meets < 0) return std::nullopt;
+  return meets == 0 ? T(-b) : T(-b - sqrt(discriminant));
+}
+
+// ---- 3 Blinn-Phong --------------------------------------------------------------------------------------------------
+
+template <class T>
+T specular_weight(double shininess) {
+  if (std::isinf(shininess)) return T(1);
+  const T e = exp(-T(shininess) / 200);
+  return (1 - e) / (1 + e);
+}
+
+/// L.N + k_s max(0, H.N)^alpha, for L.N > 0.
+template <class T>
+T blinn_phong(const Vec3<T>& L, const Vec3<T>& N, const Vec3<T>& V, const T& k_s, double alpha) {
+  const T diffuse = dot(L, N);
+  if (alpha == 0 || std::isinf(alpha)) return diffuse;  // k_s = 0; D10
+  const Vec3<T> sum = L + V;
+  if (sign(size(sum), T(1)) == 0) return diffuse;
+  const T cosine = dot(unit(sum), N);
+  return cosine > 0 ? T(diffuse + k_s * pow(cosine, T(alpha))) : diffuse;
+}
+
+// ---- 5 Reflections, 6 Refraction ------------------------------------------------------------------------------------
+
+/// D13.
+template <class T>
+Vec3<T> reflect(const Vec3<T>& d, const Vec3<T>& N) {
+  return d - (2 * dot(d, N)) * N;
+}
+
+/// The cosine of the angle on the far side of a surface, by Snell's law: sin_far = ratio sin_near. Nothing where that is
+/// above 1.
+template <class T>
+std::optional<T> refracted_cosine(const T& cos_near, const T& ratio) {
+  const T squared = 1 - ratio * ratio * (1 - cos_near * cos_near);
+  const int side = sign(squared, T(1 + ratio * ratio));
+  if (side < 0) return std::nullopt;
+  return side == 0 ? T(0) : sqrt(squared);
+}
+
+/// The direction on the far side: its part along the surface is `ratio` that of d, the rest goes against N.
+template <class T>
+Vec3<T> refract(const Vec3<T>& d, const Vec3<T>& N, const T& ratio, const T& cos_far) {
+  return ratio * (d - dot(d, N) * N) - cos_far * N;
+}
+
+/// R, by Schlick. `cosine` is on the air side.
+template <class T>
+T schlick(const T& cosine, const T& n) {
+  const T R0 = (1 - n) * (1 - n) / ((1 + n) * (1 + n));
+  const T rest = 1 - std::clamp(cosine, T(0), T(1));
+  return R0 + (1 - R0) * rest * rest * rest * rest * rest;
+}
+
+}  // namespace raylab::oracle
