@@ -1,1 +1,141 @@
-#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <vector>
+
+using namespace raylab;
+using namespace raylab::test;
+
+namespace {
+
+const Vec3 up(0, 1, 0);
+const Color copper(0.8, 0.4, 0.2);
+
+/// k_s as the handout prints it, for values where that loses no digits.
+double printed_weight(double alpha) { return (1 - std::exp(-alpha / 200)) / (1 + std::exp(-alpha / 200)); }
+
+Material opaque(const Color& color, double shininess) { return {color, shininess, false, 1.5}; }
+
+}  // namespace
+
+TEST_CASE("3.1 specular_weight: is 0 for matte, 1 for a perfect mirror", "[stage3][3.1]") {
+  CHECK(table().specular_weight(0) == 0);
+  CHECK(table().specular_weight(infinity) == 1);
+}
+
+TEST_CASE("3.1 specular_weight: is the handout's formula", "[stage3][3.1]") {
+  for (const double alpha : {1.0, 10.0, 100.0, 200.0, 1000.0, 5000.0})
+    CHECK(table().specular_weight(alpha) == within(1e-15, printed_weight(alpha)));
+}
+
+TEST_CASE("3.1 specular_weight: grows with shininess and stays within 0 to 1", "[stage3][3.1]") {
+  double last = 0;
+  for (double alpha = 0.001; alpha < 1e6; alpha *= 1.5) {
+    const double k_s = table().specular_weight(alpha);
+    CHECK(k_s >= last);
+    CHECK(k_s <= 1);
+    last = k_s;
+  }
+}
+
+TEST_CASE("3.2 blinn_phong: a matte surface shows the cosine", "[stage3][3.2]") {
+  for (const double degrees : {0.0, 30.0, 60.0, 80.0}) {
+    const double angle = degrees * pi / 180;
+    const Vec3 l(std::sin(angle), std::cos(angle), 0);
+    CHECK(table().blinn_phong(l, up, up, 2, copper, 0) == within(1e-15, 2 * std::cos(angle) * copper));
+  }
+}
+
+TEST_CASE("3.2 blinn_phong: light and viewer along the normal give the full highlight", "[stage3][3.2]") {
+  CHECK(table().blinn_phong(up, up, up, 1, copper, 1000) == within(1e-15, (1 + printed_weight(1000)) * copper));
+}
+
+TEST_CASE("3.2 blinn_phong: the highlight follows the half vector", "[stage3][3.2]") {
+  // The viewer at 60 degrees on one side and the light at 20 on the other: H leans 20 degrees to the viewer.
+  const auto at = [](double degrees) { return Vec3(std::sin(degrees * pi / 180), std::cos(degrees * pi / 180), 0); };
+  for (const double alpha : {5.0, 50.0, 400.0}) {
+    const double expected = std::cos(20 * pi / 180) + printed_weight(alpha) * std::pow(std::cos(20 * pi / 180), alpha);
+    CHECK(table().blinn_phong(at(-20), up, at(60), 1, Color(1), alpha) == within(1e-13, Color(expected)));
+  }
+}
+
+TEST_CASE("3.2 blinn_phong: is the same with light and viewer exchanged, but for the diffuse part", "[stage3][3.2]") {
+  Random random(8);
+  for (int k = 0; k < 300; ++k) {
+    const Vec3 n = random.direction(), l = -random.arriving_at(n), v = -random.arriving_at(n);
+    const double alpha = random.between(1, 300);
+    const Color there = table().blinn_phong(l, n, v, 1, copper, alpha) - dot(l, n) * copper;
+    const Color back = table().blinn_phong(v, n, l, 1, copper, alpha) - dot(v, n) * copper;
+    CHECK(there == within(1e-13, back));
+    CHECK(there.r >= -1e-15);
+  }
+}
+
+TEST_CASE("3.2 blinn_phong: a light below the surface gives no diffuse light", "[stage3][3.2]") {
+  // Where H.N > 0 all the same, clamping each dot product by itself leaves a highlight: an accepted variant (D9).
+  CHECK(table().blinn_phong(-up, up, up, 1, copper, 0) == Color(0));
+  CHECK(table().blinn_phong(unit(Vec3(1, -1, 0)), up, unit(Vec3(1, 0.5, 0)), 1, copper, 0) == Color(0));
+  CHECK(table().blinn_phong(unit(Vec3(1, -2, 0)), up, unit(Vec3(1, 1, 0)), 1, copper, 50) == Color(0));
+}
+
+TEST_CASE("3.2 blinn_phong: a light opposite the viewer is black, not undefined", "[stage3][3.2]") {
+  CHECK(table().blinn_phong({0, 0, -1}, up, {0, 0, 1}, 1, copper, 1000) == Color(0));
+}
+
+TEST_CASE("3.2 blinn_phong: a perfect mirror has no highlight, and a matte surface none", "[stage3][3.2]") {
+  CHECK(table().blinn_phong(up, up, up, 1, copper, infinity) == within(1e-15, copper));
+  CHECK(table().blinn_phong(up, up, unit(Vec3(1, 1, 1)), 1, copper, infinity) == within(1e-15, copper));
+  CHECK(table().blinn_phong(up, up, up, 1, copper, 0) == within(1e-15, copper));
+}
+
+TEST_CASE("3.2 blinn_phong: is proportional to intensity and color, and not clamped", "[stage3][3.2]") {
+  CHECK(table().blinn_phong(up, up, up, 10, copper, 0) == within(1e-14, 10.0 * copper));
+  CHECK(table().blinn_phong(up, up, up, 0, copper, 100) == Color(0));
+}
+
+TEST_CASE("3.3 point_light: weakens with one plus the distance, squared", "[stage3][3.3]") {
+  const Material matte = opaque(copper, 0);
+  for (const double r : {0.001, 1.0, 3.0, 99.0})
+    CHECK(table().point_light({{5, 1 + r, 0}, 8}, {5, 1, 0}, up, up, matte) ==
+          within(1e-14, 8 / ((1 + r) * (1 + r)) * copper));
+}
+
+TEST_CASE("3.3 point_light: shines along the unit vector to the light", "[stage3][3.3]") {
+  // 3-4-5: the cosine is 4/5, the distance 5.
+  CHECK(table().point_light({{3, 4, 0}, 36}, {0, 0, 0}, up, up, opaque(copper, 0)) == within(1e-15, 0.8 * copper));
+}
+
+TEST_CASE("3.3 point_light: is black below the surface, and where the light is at the point itself", "[stage3][3.3]") {
+  CHECK(table().point_light({{0, -1, 0}, 5}, {0, 0, 0}, up, up, opaque(copper, 0)) == Color(0));
+  CHECK(table().point_light({{1, 2, 3}, 5}, {1, 2, 3}, up, up, opaque(copper, 100)) == Color(0));
+}
+
+TEST_CASE("3.3 point_light: has the highlight of its material's shininess", "[stage3][3.3]") {
+  CHECK(table().point_light({{0, 1, 0}, 4}, {0, 0, 0}, up, up, opaque(copper, 300)) ==
+        within(1e-15, (1 + printed_weight(300)) * copper));
+}
+
+TEST_CASE("3.4 directional_light: travels along its direction, of any length, and does not weaken", "[stage3][3.4]") {
+  for (const double size : {1e-150, 1.0, 25.0, 1e200}) {
+    CHECK(table().directional_light({{0, -size, 0}, 0.5}, up, up, opaque(copper, 0)) == within(1e-15, 0.5 * copper));
+    CHECK(table().directional_light({{3 * size, -4 * size, 0}, 1}, up, up, opaque(copper, 0)) ==
+          within(1e-15, 0.8 * copper));
+    CHECK(table().directional_light({{0, size, 0}, 0.5}, up, up, opaque(copper, 0)) == Color(0));
+  }
+}
+
+TEST_CASE("3.4 directional_light: has the highlight of its material's shininess", "[stage3][3.4]") {
+  CHECK(table().directional_light({{0, -2, 0}, 0.5}, up, up, opaque(copper, 300)) ==
+        within(1e-15, 0.5 * (1 + printed_weight(300)) * copper));
+}
+
+TEST_CASE("3.5 ambient_light: is intensity times color, whatever the shininess", "[stage3][3.5]") {
+  CHECK(table().ambient_light({0.1}, opaque(copper, 0)) == within(1e-16, 0.1 * copper));
+  CHECK(table().ambient_light({0.1}, opaque(copper, 1000)) == within(1e-16, 0.1 * copper));
+  CHECK(table().ambient_light({3}, opaque(copper, infinity)) == within(1e-15, 3.0 * copper));
+}
+
+TEST_CASE("3.6 sum_lights: adds all, clamps nothing, and is black for none", "[stage3][3.6]") {
+  CHECK(table().sum_lights({}) == Color(0));
+  const std::vector<Color> lights{{0.5, 0.25, 0}, {0.75, 0, 0}, {2, 0.5, 0.125}};
+  CHECK(table().sum_lights(lights) == within(1e-15, Color(3.25, 0.75, 0.125)));
+}

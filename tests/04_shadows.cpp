@@ -1,1 +1,55 @@
-#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+#include <vector>
+
+using namespace raylab;
+using namespace raylab::test;
+
+namespace {
+
+bool blocked(const std::vector<Crossing>& crossings, double distance) { return table().blocked(crossings, distance); }
+
+constexpr Crossing opaque(double t) { return {t, false}; }
+constexpr Crossing glass(double t) { return {t, true}; }
+
+}  // namespace
+
+TEST_CASE("4.1 blocked: nothing in the way lets the light through", "[stage4][4.1]") {
+  CHECK_FALSE(blocked({}, 3));
+  CHECK_FALSE(blocked({}, infinity));
+}
+
+TEST_CASE("4.1 blocked: what is opaque and nearer than the light blocks it", "[stage4][4.1]") {
+  CHECK(blocked({opaque(2)}, 3));
+  CHECK(blocked({opaque(1e9)}, infinity));
+}
+
+TEST_CASE("4.1 blocked: what is farther than the light, or just at it, does not block", "[stage4][4.1]") {
+  CHECK_FALSE(blocked({opaque(4)}, 3));
+  CHECK_FALSE(blocked({opaque(3)}, 3));
+}
+
+TEST_CASE("4.1 blocked: glass never blocks", "[stage4][4.1]") {
+  CHECK_FALSE(blocked({glass(1), glass(2)}, 3));
+  CHECK_FALSE(blocked({glass(1)}, infinity));
+}
+
+TEST_CASE("4.1 blocked: one blocker is enough, wherever it stands in the list", "[stage4][4.1]") {
+  CHECK(blocked({opaque(1), opaque(8), glass(2)}, 3));
+  CHECK(blocked({opaque(8), glass(2), opaque(1)}, 3));
+  CHECK(blocked({glass(0.5), opaque(1), opaque(8)}, 3));
+}
+
+TEST_CASE("4.1 blocked: is a function of the whole list in any order", "[stage4][4.1]") {
+  Random random(9);
+  for (int k = 0; k < 500; ++k) {
+    std::vector<Crossing> crossings;
+    bool expected = false;
+    for (double n = random.between(0, 5); n > 0; --n) {
+      crossings.push_back({random.between(0.2, 6), random.between(0, 1) < 0.5});
+      expected = expected || (!crossings.back().transparent && crossings.back().t < 3);
+    }
+    CHECK(blocked(crossings, 3) == expected);
+    CHECK(blocked({crossings.rbegin(), crossings.rend()}, 3) == expected);
+  }
+}
