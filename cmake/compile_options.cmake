@@ -14,4 +14,6 @@ target_compile_options(
             -Wshadow
             -Wconversion
             -Wsign-conversion
+            # False alarms of g++ 12 wherever two strings are added (GCC bug 105329).
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>
             $<$<BOOL:${RAYLAB_WERROR}>:-Werror>)

@@ -64,15 +64,22 @@ struct ImageWriter::State {
   OIIO::TypeDesc type;
   PartialFile file;
   std::unique_ptr<OIIO::ImageOutput> output;
+  bool empty = true;
 
-  void write(int first_row, int rows, const void* values) const {
-    if (!output->write_scanlines(first_row, first_row + rows, 0, type, values)) fail(path, output->geterror());
+  ~State() {
+    // libpng complains on standard error of an abandoned file that has no row at all.
+    if (output && empty) write(0, 1, std::vector<double>(3 * static_cast<std::size_t>(width)).data());
+  }
+
+  bool write(int first_row, int rows, const void* values) {
+    empty = false;
+    return output->write_scanlines(first_row, first_row + rows, 0, type, values);
   }
 };
 
 ImageWriter::ImageWriter(const fs::path& path, int width, int height) {
   if (path.extension().empty()) fail(path, "an image's name needs an ending that says its format: .png, .exr or .tif");
-  state_.reset(new State{path, width, component_type(path), PartialFile(path), nullptr});
+  state_.reset(new State{path, width, component_type(path), PartialFile(path), nullptr, true});
   const std::string temporary = state_->file.temporary().string();
   state_->output = OIIO::ImageOutput::create(temporary);
   if (!state_->output) {
@@ -90,12 +97,11 @@ ImageWriter::~ImageWriter() = default;
 
 void ImageWriter::write_rows(int first_row, std::span<const Color> pixels) {
   const int rows = static_cast<int>(pixels.size() / static_cast<std::size_t>(state_->width));
-  if (state_->type == OIIO::TypeDesc::UINT8)
-    state_->write(first_row, rows, components<unsigned char>(pixels).data());
-  else if (state_->type == OIIO::TypeDesc::FLOAT)
-    state_->write(first_row, rows, components<float>(pixels).data());
-  else
-    state_->write(first_row, rows, components<double>(pixels).data());
+  const bool written =
+      state_->type == OIIO::TypeDesc::UINT8   ? state_->write(first_row, rows, components<unsigned char>(pixels).data())
+      : state_->type == OIIO::TypeDesc::FLOAT ? state_->write(first_row, rows, components<float>(pixels).data())
+                                              : state_->write(first_row, rows, components<double>(pixels).data());
+  if (!written) fail(state_->path, "cannot be written: " + state_->output->geterror());
 }
 
 void ImageWriter::finish() {

@@ -1,5 +1,7 @@
 #include "core/scene/diagnostic.hpp"
 
+#include "core/scene/utf8.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -51,18 +53,34 @@ std::string escaped(char c) {
 
 }  // namespace
 
+std::string printable(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text.substr(i));
+    if (length == 0 || is_control(text[i])) {
+      result += escaped(text[i++]);
+    } else {
+      result += text.substr(i, length);
+      i += length;
+    }
+  }
+  return result;
+}
+
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 60;
-  std::string result = "'";
-  for (const char c : text.substr(0, longest)) result += is_control(c) ? escaped(c) : std::string(1, c);
-  return result + (text.size() > longest ? "...'" : "'");
+  if (text.size() <= longest) return "'" + printable(text) + "'";
+  std::size_t end = longest;
+  while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U && end > 0) --end;  // not within a character
+  return "'" + printable(text.substr(0, end)) + "...'";
 }
 
 std::string to_text(double number) {
   if (std::isnan(number)) return "nan";  // to_chars would show a sign that means nothing
   std::array<char, 32> buffer{};
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
-  return error == std::errc{} ? std::string(buffer.data(), end) : std::string();
+  std::string text(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr);
+  if (const std::size_t plus = text.find('+'); plus != std::string::npos) text.erase(plus, 1);  // 1e100, as people write it
+  return text;
 }
 
 }  // namespace raylab

@@ -45,7 +45,10 @@ class Report {
   std::vector<Diagnostic> diagnostics_;
 };
 
-/// `text` between single quotes, fit for one line of a terminal: control characters escaped, cut where it is very long.
+/// `text` fit for one line of a terminal: control characters, and bytes that are not UTF-8, as in \x1b.
+std::string printable(std::string_view text);
+
+/// The same between single quotes, and cut where it is very long.
 std::string quoted(std::string_view text);
 
 /// The shortest decimal that reads back as `number`.

@@ -1,5 +1,7 @@
 #include "core/scene/read_guard.hpp"
 
+#include "core/scene/utf8.hpp"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -10,26 +12,9 @@ constexpr std::size_t npos = std::string_view::npos;
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-/// How many bytes the character at the start of `text` has; 0 if it is not UTF-8. Unicode 15, table 3-7.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const auto continued = [&](std::size_t i) { return byte(i) >= 0x80U && byte(i) <= 0xBFU; };
-  const unsigned first = byte(0);
-  const unsigned second = byte(1);
-  if (first < 0x80U) return 1;
-  if (first < 0xC2U || !continued(1)) return 0;
-  if (first < 0xE0U) return 2;
-  if (first == 0xE0U && second < 0xA0U) return 0;  // could be written shorter
-  if (first == 0xEDU && second > 0x9FU) return 0;  // half of a UTF-16 pair
-  if (first < 0xF0U) return continued(2) ? 3 : 0;
-  if (first == 0xF0U && second < 0x90U) return 0;                     // could be written shorter
-  if (first > 0xF4U || (first == 0xF4U && second > 0x8FU)) return 0;  // beyond the last character
-  return continued(2) && continued(3) ? 4 : 0;
-}
-
 std::size_t find_bad_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = character_length(text.substr(i));
+    const std::size_t length = utf8_length(text.substr(i));
     if (length == 0) return i;
     i += length;
   }
@@ -58,24 +43,43 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-std::size_t find_deep_key(std::string_view text) {
+bool is_plain(char c) { return (c >= ' ' && c <= '~') || c == '\t' || c == '\n' || c == '\r'; }
+
+std::size_t find_not_plain(std::string_view text, std::size_t begin) {
+  while (begin < text.size() && is_plain(text[begin])) ++begin;
+  return begin < text.size() ? begin : npos;
+}
+
+struct Flaw {
+  std::size_t offset;
+  const char* text;
+};
+
+/// Looks at what is neither string nor comment.
+std::optional<Flaw> find_flaw_outside_strings(std::string_view text) {
   constexpr int most_dots = 8;  // a scene has no key of more than two parts
   int dots = 0;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'') {
-      i = end_of_string(text, i);
+      const std::size_t end = end_of_string(text, i);
+      // toml++ takes a string that touches what stands before it, as in 0"text", for a part of that.
+      const bool touches = i > 0 && std::string_view(" \t\n\r=,[{").find(text[i - 1]) == npos;
+      const std::size_t odd = touches ? find_not_plain(text.substr(0, end), i) : npos;
+      if (odd != npos) return Flaw{odd, "a space or a comma is missing before this text"};
+      i = end;
       continue;
     }
     if (c == '#') {
       i = std::min(text.find('\n', i), text.size());
       continue;
     }
-    if (c == '.' && ++dots > most_dots) return i;
+    if (!is_plain(c)) return Flaw{i, "a character that may stand in quotes or behind a # only"};
+    if (c == '.' && ++dots > most_dots) return Flaw{i, "more dots than any key of a scene has; a text needs quotes"};
     if (c == '\n' || c == ',' || c == '=' || c == '[' || c == '{') dots = 0;
     ++i;
   }
-  return npos;
+  return std::nullopt;
 }
 
 Place place_of(std::string_view text, std::size_t offset) {
@@ -91,14 +95,13 @@ Place place_of(std::string_view text, std::size_t offset) {
 
 std::optional<TextFlaw> find_flaw(std::string_view text) {
   if (text.substr(0, 2) == "\xFE\xFF" || text.substr(0, 2) == "\xFF\xFE") {
-    return TextFlaw{{1, 1}, "is UTF-16 text; save the file as UTF-8"};
+    return TextFlaw{{1, 1}, "UTF-16 text; save the file as UTF-8"};
   }
   if (const std::size_t at = find_bad_utf8(text); at != npos) {
-    return TextFlaw{place_of(text, at), "is not UTF-8 text from here on; save the file as UTF-8"};
+    return TextFlaw{place_of(text, at), "not UTF-8 text from here on; save the file as UTF-8"};
   }
-  if (const std::size_t at = find_deep_key(text); at != npos) {
-    return TextFlaw{place_of(text, at), "has more dots than any key of a scene; remove some, or put quotes around a text"};
-  }
+  if (const std::optional<Flaw> flaw = find_flaw_outside_strings(text))
+    return TextFlaw{place_of(text, flaw->offset), flaw->text};
   return std::nullopt;
 }
 

@@ -84,7 +84,7 @@ std::string readable(std::string_view description) {
     result = "not valid TOML (" + std::string(description.substr(prefix.size(), colon - prefix.size())) + "): ";
     description.remove_prefix(colon + 2);
   }
-  result += description;
+  result += printable(description);
   for (const Hint& hint : hints) {
     if (description.find(hint.part) != std::string_view::npos) return result + "; " + std::string(hint.advice);
   }
@@ -94,6 +94,8 @@ std::string readable(std::string_view description) {
 }  // namespace
 
 std::optional<TomlTable> parse_toml(std::string_view text, Report& report) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) text.remove_prefix(byte_order_mark.size());
   if (const std::optional<TextFlaw> flaw = find_flaw(text)) {
     report.error(flaw->place, {}, flaw->text);
     return std::nullopt;

@@ -23,11 +23,12 @@ std::vector<std::size_t> first_twins(std::size_t count, const NumbersOf& numbers
   };
   const std::size_t free = count;
   std::vector<std::size_t> slots(std::bit_ceil(2 * count + 1), free);
+  const std::size_t mask = slots.size() - 1;
   std::vector<std::size_t> first(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto numbers = numbers_of(i);
-    std::size_t slot = hash(numbers) % slots.size();
-    while (slots[slot] != free && numbers_of(slots[slot]) != numbers) slot = (slot + 1) % slots.size();
+    std::size_t slot = hash(numbers) & mask;
+    while (slots[slot] != free && numbers_of(slots[slot]) != numbers) slot = (slot + 1) & mask;
     if (slots[slot] == free) slots[slot] = i;
     first[i] = slots[slot];
   }

@@ -22,8 +22,8 @@ constexpr Exact<T> exact_sum(T a, T b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// a * a, if it neither overflows nor loses bits below the smallest number. With or without FMA the bits are the same: without,
-/// each factor is split into halves whose products are exact (Veltkamp, Dekker).
+/// a * a, if it neither overflows nor loses bits below the smallest number. With or without FMA the bits are the same:
+/// without, each factor is split into halves whose products are exact (Veltkamp, Dekker).
 template <class T>
 constexpr Exact<T> exact_square(T a) {
   const T square = a * a;
@@ -39,8 +39,8 @@ constexpr Exact<T> exact_square(T a) {
 }
 
 /// |a - c|^2 - radius^2: how far outside (> 0) or inside (< 0) a sphere around `c` the point `a` is, with an error of a few
-/// roundings of the *result*. Plain arithmetic has an error of radius^2 instead: for a camera on the ground of a giant sphere
-/// that is more than its height.
+/// roundings of the *result*. Plain arithmetic has an error of radius^2 instead: for a camera on the ground of a giant
+/// sphere that is more than its height.
 template <class T>
 constexpr T gap_to_sphere(const Vec3<T>& a, const Vec3<T>& c, T radius) {
   const Exact<T> x = exact_sum(a.x, -c.x), y = exact_sum(a.y, -c.y), z = exact_sum(a.z, -c.z);

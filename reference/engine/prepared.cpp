@@ -1,6 +1,8 @@
 #include "reference/engine/prepared.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <type_traits>
 
@@ -59,14 +61,34 @@ Finish<T> prepare_finish(const Material& material, int stage) {
           .r0 = static_cast<T>(r * r)};
 }
 
+/// The sign of a.b; 0 where rounding `a`, `b` and the sum may have made an exact zero into this.
+std::int8_t sign_of_dot(const Double3& a, const Double3& b) {
+  const double size = std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z);
+  const double margin = 4 * std::numeric_limits<double>::epsilon() * size;
+  const double value = dot(a, b);
+  return static_cast<std::int8_t>(value > margin ? 1 : value < -margin ? -1 : 0);
+}
+
+Sides sides_of(const PointLight& light, const Scene& scene) {
+  Sides sides;
+  for (const PlaneObject& plane : scene.planes)
+    sides.push_back(sign_of_dot(own(plane.shape.point - light.position), unit(scaled(plane.shape.normal))));
+  return sides;
+}
+
+Sides sides_of(const DirectionalLight& light, const Scene& scene) {
+  Sides sides;
+  for (const PlaneObject& plane : scene.planes)
+    sides.push_back(sign_of_dot(unit(scaled(light.direction)), unit(scaled(plane.shape.normal))));
+  return sides;
+}
+
 template <class T>
 class Builder {
  public:
-  Builder(Prepared<T>& out) : out_(out) {}
+  explicit Builder(Prepared<T>& out) : out_(out) {}
 
-  void add_finish(const Material& material) {
-    out_.finishes.push_back(prepare_finish<T>(material, out_.settings.stage));
-  }
+  void add_finish(const Material& material) { out_.finishes.push_back(prepare_finish<T>(material, out_.settings.stage)); }
 
   void add_plane(const PlaneObject& plane) {
     add_finish(plane.material);
@@ -94,9 +116,10 @@ class Builder {
     for (const AmbientLight& light : scene.ambient_lights) ambient += light.intensity;
     out_.ambient = static_cast<T>(ambient);
     for (const PointLight& light : scene.point_lights)
-      out_.point_lights.push_back({to<T>(own(light.position)), static_cast<T>(light.intensity)});
+      out_.point_lights.push_back({to<T>(own(light.position)), static_cast<T>(light.intensity), sides_of(light, scene)});
     for (const DirectionalLight& light : scene.directional_lights)
-      out_.directional_lights.push_back({to<T>(-unit(scaled(light.direction))), static_cast<T>(light.intensity)});
+      out_.directional_lights.push_back(
+          {to<T>(-unit(scaled(light.direction))), static_cast<T>(light.intensity), sides_of(light, scene)});
   }
 
  private:

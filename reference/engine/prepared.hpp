@@ -54,16 +54,23 @@ struct Finish {
   T r0;                 ///< glass: what it reflects at normal incidence
 };
 
+/// On which side of each plane a light is: the sign of (c - light).n, worked out once. A plane shades the points on its
+/// other side, so a lamp in a ceiling shines on all below: comparing the rounded distances of lamp and ceiling would be a
+/// toss-up.
+using Sides = std::vector<std::int8_t>;
+
 template <class T>
 struct PreparedPointLight {
   Vec3<T> position;
   T intensity;
+  Sides sides;
 };
 
 template <class T>
 struct PreparedDirectionalLight {
   Vec3<T> l;  ///< unit, towards the light
   T intensity;
+  Sides sides;
 };
 
 /// Where primary rays come from: the ray through (x, y), in pixels from the image's centre, runs along
@@ -83,8 +90,8 @@ struct Prepared {
   Vec3<T> background;
   Planes<T> planes;
   Spheres<T> spheres;
-  std::vector<Vec3<T>> colors;              ///< by GeometryId
-  std::vector<std::uint32_t> finish_of;     ///< by GeometryId
+  std::vector<Vec3<T>> colors;           ///< by GeometryId
+  std::vector<std::uint32_t> finish_of;  ///< by GeometryId
   std::vector<Finish<T>> finishes;
   std::vector<PreparedPointLight<T>> point_lights;
   std::vector<PreparedDirectionalLight<T>> directional_lights;

@@ -6,8 +6,8 @@
 
 namespace raylab::fast {
 
-/// The engine's own vector. T is float or double now; nothing here asks for more than arithmetic, so that it may be a pack of
-/// them (GLM's functions do not survive that).
+/// The engine's own vector. T is float or double now; nothing here asks for more than arithmetic, so that it may be a pack
+/// of them (GLM's functions do not survive that).
 template <class T>
 struct Vec3 {
   T x{}, y{}, z{};
@@ -45,8 +45,8 @@ Vec3<T> unit(const Vec3<T>& a) {
   return a / length(a);
 }
 
-/// `a`, already a unit vector but for a few roundings, with those taken back: one Newton step. Without it the length of a ray
-/// that bounces often would drift.
+/// `a`, already a unit vector but for a few roundings, with those taken back: one Newton step. Without it the length of a
+/// ray that bounces often would drift.
 template <class T>
 constexpr Vec3<T> straightened(const Vec3<T>& a) {
   return (T(1.5) - T(0.5) * dot(a, a)) * a;

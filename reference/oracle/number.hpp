@@ -4,14 +4,19 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include <cstdint>
 #include <limits>
 
 namespace raylab::oracle {
 
-/// The two number types that every pixel is computed in: 113 bits (34 decimal digits) and 237 bits (71). Their exponents
-/// reach far enough that neither the square of the largest double nor that of the smallest leaves their range.
+/// The number types that pixels are computed in: 113 bits (34 decimal digits), 237 bits (71) and, for pixels on which those
+/// two disagree, 493 bits (148). Their exponents reach far enough that neither the square of the largest double nor that of
+/// the smallest leaves their range. All of it is on the stack.
 using Coarse = boost::multiprecision::cpp_bin_float_quad;
 using Fine = boost::multiprecision::cpp_bin_float_oct;
+using Finest = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<493, boost::multiprecision::digit_base_2, void, std::int32_t, -262142, 262143>,
+    boost::multiprecision::et_off>;
 
 /// A vector of numbers that GLM knows nothing of.
 template <class T>
@@ -65,7 +70,7 @@ T size(const Vec3<T>& a) {
 /// Rounding makes an exact zero (a light in the very plane of a blocker, a tangent ray, two surfaces that touch) into
 /// anything up to some 2^-113 of the scale, with a sign that means nothing. So whatever is smaller than three quarters of
 /// the bits can tell counts as the zero that MODEL.md speaks of. A value that is that small but not zero is seen as such by
-/// the finer type: then the two types decide differently, and the pixel is reported instead of being wrong.
+/// the finer type: then the two types decide differently, and a still finer one is asked.
 template <class T>
 int sign(const T& value, const T& scale) {
   static const T smallest = ldexp(T(1), -std::numeric_limits<T>::digits * 3 / 4);

@@ -60,11 +60,13 @@ struct World {
       : scene(scene_), objects(objects_), settings(settings_), lens(scene.camera, settings.size) {
     for (const PlaneObject& plane : scene.planes) plane_normals.push_back(unit(Vec3<T>(plane.shape.normal)));
     for (const DirectionalLight& light : scene.directional_lights) to_directional.push_back(-unit(Vec3<T>(light.direction)));
-    for (const Object& object : objects) {
-      const double shininess = object.material->shininess;
-      if (!k_s.contains(shininess)) k_s.emplace(shininess, specular_weight<T>(shininess));
-    }
+    for (const PlaneObject& plane : scene.planes) add_k_s(plane.material);
+    for (const SphereObject& sphere : scene.spheres) add_k_s(sphere.material);
+    for (const SphereCloud& cloud : scene.clouds) add_k_s(cloud.material);
   }
+
+ private:
+  void add_k_s(const Material& material) { k_s.try_emplace(material.shininess, specular_weight<T>(material.shininess)); }
 };
 
 /// Follows rays, counts them, and gives up with Cancelled when asked to.
@@ -235,18 +237,19 @@ class Tracer {
 
 // ---- Output ---------------------------------------------------------------------------------------------------------
 
-/// The double nearest `fine`, if `coarse` bears it out to 1e-25; a NaN if not. Both are clamped already: what lies beyond
-/// white need not be known to as many places.
-double agreed(const Coarse& coarse, const Fine& fine) {
-  static const Fine tolerance("1e-25");
-  const bool agree = abs(Fine(coarse) - fine) <= tolerance;
-  return agree ? fine.convert_to<double>() : std::numeric_limits<double>::quiet_NaN();
+/// Do both colours say the same, to 1e-25? They are clamped already: what lies beyond white need not be known to as many
+/// places.
+template <class T, class Finer>
+bool agree(const Vec3<T>& coarse, const Vec3<Finer>& fine) {
+  static const Finer tolerance("1e-25");
+  const auto close = [](const T& a, const Finer& b) { return abs(Finer(a) - b) <= tolerance; };
+  return close(coarse.x, fine.x) && close(coarse.y, fine.y) && close(coarse.z, fine.z);
 }
 
-Color agreed(const Vec3<Coarse>& coarse, const Vec3<Fine>& fine) {
-  const Color color(agreed(coarse.x, fine.x), agreed(coarse.y, fine.y), agreed(coarse.z, fine.z));
-  const double sum = color.x + color.y + color.z;
-  return std::isnan(sum) ? Color(sum) : color;
+template <class T>
+Color rounded(const Vec3<T>& color) {
+  return {color.x.template convert_to<double>(), color.y.template convert_to<double>(),
+          color.z.template convert_to<double>()};
 }
 
 std::vector<SampleOffset> samples_of(const Settings& settings) {
@@ -261,25 +264,46 @@ class Oracle : public Engine {
 
   void trace_rows(int first_row, std::span<Color> pixels, RayCounts& counts,
                   const std::atomic<bool>& cancel) const override {
-    RayCounts counted_already;
-    Tracer<Coarse> coarse(coarse_, counted_already, cancel);
-    Tracer<Fine> fine(fine_, counts, cancel);
     const std::size_t width = static_cast<std::size_t>(settings_.size.width);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       if (cancel.load(std::memory_order_relaxed)) throw Cancelled{};
-      const int column = static_cast<int>(i % width);
-      const int row = first_row + static_cast<int>(i / width);
-      pixels[i] = agreed(coarse.pixel(column, row, samples_), fine.pixel(column, row, samples_));
+      pixels[i] = pixel({static_cast<int>(i % width), first_row + static_cast<int>(i / width)}, counts, cancel);
     }
   }
 
  private:
+  struct Place {
+    int column;
+    int row;
+  };
+
+  /// More bits only for the pixels that need them. Counts the rays of the last attempt.
+  Color pixel(const Place& place, RayCounts& counts, const std::atomic<bool>& cancel) const {
+    RayCounts counted;
+    const auto coarse = traced(coarse_, place, counted, cancel);
+    const auto fine = traced(fine_, place, counted, cancel);
+    if (agree(coarse, fine)) {
+      counts += counted;
+      return rounded(fine);
+    }
+    const auto finest = traced(finest_, place, counted, cancel);
+    counts += counted;
+    return agree(fine, finest) ? rounded(finest) : Color(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  template <class T>
+  Vec3<T> traced(const World<T>& world, const Place& place, RayCounts& counted, const std::atomic<bool>& cancel) const {
+    counted = {};
+    return Tracer<T>(world, counted, cancel).pixel(place.column, place.row, samples_);
+  }
+
   const Scene scene_;
   const Settings settings_;
   const std::vector<Object> objects_;
   const std::vector<SampleOffset> samples_;
   const World<Coarse> coarse_{scene_, objects_, settings_};
   const World<Fine> fine_{scene_, objects_, settings_};
+  const World<Finest> finest_{scene_, objects_, settings_};
 };
 
 }  // namespace

@@ -7,14 +7,17 @@
 namespace raylab {
 
 /// The truth that all else is measured against: MODEL.md's formulas as printed, one scalar ray at a time, every geometry
-/// asked. Slow: about a millisecond a pixel where a double takes a microsecond.
+/// asked. Slow: a tenth of a millisecond to some milliseconds a pixel, where a double takes a microsecond.
 ///
 /// Each pixel is computed with 113 and with 237 bits. Where the two clamped colours agree to 1e-25 in every component, the
-/// double nearest the finer one is returned. Where they do not, the question that the pixel asks (which of two surfaces is
-/// nearer, on which side of an edge it lies) is closer than 113 bits can tell, and the pixel is three quiet NaNs: never
-/// silently wrong. Situations that are exactly tangent, tied or touching are decided as MODEL.md says: see `sign`.
+/// double nearest the finer one is returned. Where they do not (a sphere so far and small, or a decision between two
+/// surfaces so close, that 113 bits cannot tell), the pixel is computed with 493 bits, which must agree with 237. Where they
+/// do not either, the pixel is three quiet NaNs: never silently wrong. What is exactly tangent, tied or touching is decided
+/// as MODEL.md says: see `sign` in number.hpp.
 ///
-/// `scene` is copied. Rays are counted once, not once a precision.
+/// `scene` is copied. Rays are counted once, not once a precision. A ray that carries no light to the pixel, its weight or
+/// the bounces left being 0, is neither traced nor counted; a shadow ray is counted for each point or directional light that
+/// has L.N > 0.
 std::unique_ptr<Engine> make_oracle(const Scene& scene, const Settings& settings);
 
 }  // namespace raylab

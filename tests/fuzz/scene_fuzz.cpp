@@ -1,5 +1,5 @@
 // libFuzzer target for everything that reads a scene file's bytes: any input must give a scene or an error, never a crash.
-//   clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -I. -DTOML_HEADER_ONLY=1 tests/fuzz/scene_fuzz.cpp core/scene/*.cpp
+//   clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -I. -DTOML_HEADER_ONLY=1 -DNDEBUG tests/fuzz/scene_fuzz.cpp core/scene/*.cpp
 // The first byte chooses the reader: 'c' for a cloud's table, anything else for a scene.
 #include "core/scene/read_cloud.hpp"
 #include "core/scene/read_scene.hpp"
