@@ -14,6 +14,6 @@ target_compile_options(
             -Wshadow
             -Wconversion
             -Wsign-conversion
-            # False alarms of g++ 12 wherever two strings are added (GCC bug 105329).
-            $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow>
+            # False alarms of g++ 12: wherever two strings are added (GCC bug 105329), and inside Boost.Multiprecision.
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>
             $<$<BOOL:${RAYLAB_WERROR}>:-Werror>)

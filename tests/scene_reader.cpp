@@ -475,6 +475,20 @@ const std::vector<BadScene> bad_scenes{
               "intensity = 1\n"
               "brightness_of_it = 2\n",
      {"scene.toml:4:1: ambient_light[0]: unknown key 'brightness_of_it'; known keys: intensity"}},
+    {"swapped letters of a short key",
+     "[camera]\n"
+     "position = [0, 0, 0]\n"
+     "facing = [0, 0, -1]\n"
+     "pu = [0, 1, 0]\n",
+     {"scene.toml:1:1: camera.up: missing, must be a list of 3 numbers",
+      "scene.toml:4:1: camera: unknown key 'pu', did you mean 'up'?"}},
+    {"capitals of a short key",
+     "[camera]\n"
+     "position = [0, 0, 0]\n"
+     "facing = [0, 0, -1]\n"
+     "UP = [0, 1, 0]\n",
+     {"scene.toml:1:1: camera.up: missing, must be a list of 3 numbers",
+      "scene.toml:4:1: camera: unknown key 'UP', did you mean 'up'?"}},
     {"an unknown key at the top",
      camera + "widht = 3\n",
      {"scene.toml:2:1: unknown key 'widht'; known keys: title, max_bounces, background, camera, image, plane, sphere, "
@@ -624,14 +638,44 @@ const std::vector<BadScene> bad_scenes{
      {"scene.toml:2:16: not valid TOML (floating-point): expected 'inf', saw 'i\\x0a'; write inf; a text needs quotes"}},
     {"a long key is cut between characters",
      camera +
-         "\"\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4"
-         "\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4"
-         "\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\" = 1\n",
+         "\"a\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3"
+         "\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3"
+         "\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\" = 1\n",
      {"scene.toml:2:1: unknown key "
-      "'\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3"
-      "\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4"
-      "\xc3\xa4...'; known keys: title, max_bounces, background, camera, image, plane, sphere, sphere_cloud, point_light, "
+      "'a\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4"
+      "\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3\xa4\xc3"
+      "\xa4...'; known keys: title, max_bounces, background, camera, image, plane, sphere, sphere_cloud, point_light, "
       "directional_light, ambient_light"}},
+    {"a text touches a number and a sign before it",
+     camera + "background = 6==\"\xc3\xa4\"\n",
+     {"scene.toml:2:18: a space or a comma is missing before this text"}},
+    {"a text touches a number behind its key",
+     camera + "max_bounces=6=\"\xc3\xa4\"\n",
+     {"scene.toml:2:16: a space or a comma is missing before this text"}},
+    {"a text touches a number and one sign",
+     camera + "max_bounces = 6=\"\xc3\xa4\"\n",
+     {"scene.toml:2:18: a space or a comma is missing before this text"}},
+    {"a backslash before a letter beyond ASCII",
+     camera + "title = \"\\\xc3\xa4\"\n",
+     {"scene.toml:2:11: a backslash may not stand before this character"}},
+    {"a backslash at a line end before a letter beyond ASCII",
+     camera + "title = \"\"\"a \\\n"
+              "  \xc3\xa4\"\"\"\n",
+     {"scene.toml:3:3: a backslash may not stand before this character"}},
+    {"a text touches a number that touches its key",
+     camera + "max_bounces=6\"\xc3\xa4\"\n",
+     {"scene.toml:2:15: a space or a comma is missing before this text"}},
+    {"a wrong direction gives one message",
+     camera + "[[directional_light]]\n"
+              "direction = [\"a\", 0, 0]\n"
+              "intensity = 1\n",
+     {"scene.toml:3:14: directional_light[0].direction[0]: must be a number, got a string"}},
+    {"a text of three quotes ends in up to five",
+     camera + "image = {a = '''b'''', \xc3\xa4 = 1}\n",
+     {"scene.toml:2:24: a character that may stand in quotes or behind a # only"}},
+    {"columns count characters in what TOML does not read too",
+     camera + "title = \"\xc3\xa4\" \xc3\xb6\n",
+     {"scene.toml:2:13: a character that may stand in quotes or behind a # only"}},
     {"keys of many parts",
      camera + "a.a.a.a.a.a.a.a.a.a = 1\n",
      {"scene.toml:2:18: more dots than any key of a scene has; a text needs quotes"}},
@@ -871,6 +915,8 @@ TEST_CASE("scene: the forms that TOML has for a table are one", "[scene]") {
 
 TEST_CASE("scene: dots in texts and comments are no keys of many parts", "[scene]") {
   CHECK(good("title = 'wait ... ... ... ...' # . . . . . . . . . . . .\n" + camera).title == "wait ... ... ... ...");
+  CHECK(good("title='\xC3\xA4'\n" + camera).title == "\xC3\xA4");
+  CHECK(good("title = '\\\xC3\xA4'\n" + camera).title == "\\\xC3\xA4");
   CHECK(good("title = \"a \\\" ............\"\n" + camera).title == "a \" ............");
   CHECK(good("title = \"\"\".'.........\\\n  .......\"\"\"\n" + camera).title == ".'................");
   CHECK(good("title = '''\"'.........'''''\n" + camera).title == "\"'.........''");
@@ -923,6 +969,18 @@ TEST_CASE("scene: identical geometry is a warning", "[scene]") {
   CHECK(warnings(camera + sphere("[0, 0, -9]", "2") + sphere("[0, -0.0, -9]", "2", "refractive_index = 2\n")) ==
         Messages{"scene.toml:6:1: warning: sphere[1]: identical to sphere[0]"});
   CHECK(warnings(camera + sphere("[0, 0, -9]", "2") + sphere("[0, 0, -9]", "2", "shininess = 1\n")) == Messages{});
+}
+
+TEST_CASE("scene: glass of another index is not identical", "[scene]") {
+  const auto two_of_glass = [](const std::string& index) {
+    const std::string more = "transparent = true\nrefractive_index = ";
+    return warnings(camera + sphere("[0, 0, -9]", "2", more + "1.5\n") + sphere("[0, 0, -9]", "2", more + index + "\n"));
+  };
+  const Messages both_hold{"scene.toml:2:1: warning: sphere[0]: transparent, but it holds or cuts sphere[1]",
+                           "scene.toml:8:1: warning: sphere[1]: transparent, but it holds or cuts sphere[0]"};
+  CHECK(two_of_glass("1.6") == both_hold);
+  CHECK(two_of_glass("1.50") ==
+        Messages{both_hold[0], both_hold[1], "scene.toml:8:1: warning: sphere[1]: identical to sphere[0]"});
 }
 
 TEST_CASE("scene: a scene with a mistake gets no warnings about what it would be", "[scene]") {

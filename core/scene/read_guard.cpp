@@ -50,24 +50,52 @@ std::size_t find_not_plain(std::string_view text, std::size_t begin) {
   return begin < text.size() ? begin : npos;
 }
 
+/// The first letter beyond ASCII behind a backslash, or behind a backslash and the spaces and line ends that it removes.
+std::size_t find_odd_escape(std::string_view text, std::size_t begin) {
+  for (std::size_t i = text.find('\\', begin); i < text.size(); i = text.find('\\', i + 2)) {
+    const std::size_t next = text.find_first_not_of(" \t\r\n", i + 1);
+    if (next != npos && !is_plain(text[next])) return next;
+  }
+  return npos;
+}
+
 struct Flaw {
   std::size_t offset;
   const char* text;
 };
 
-/// Looks at what is neither string nor comment.
-std::optional<Flaw> find_flaw_outside_strings(std::string_view text) {
+/// What stands together without a space, a comma or a bracket.
+struct Word {
+  std::size_t begin = 0;
+  int equals_signs = 0;
+};
+
+/// May toml++ take the string at `quote`, in `word`, for a part of a number? It does so in 0"text" and x=0="text", and it
+/// is then that it does not survive every letter. Only name="text" is as it should be.
+bool may_be_swallowed(std::string_view text, Word word, std::size_t quote) {
+  if (word.begin == quote) return false;
+  const bool number = std::string_view("0123456789+-").find(text[word.begin]) != npos;
+  return number || word.equals_signs != 1 || text[quote - 1] != '=';
+}
+
+std::optional<Flaw> find_flaw_of_string(std::string_view text, Word word, std::size_t quote) {
+  const std::string_view before_end = text.substr(0, end_of_string(text, quote));
+  const std::size_t swallowed = may_be_swallowed(text, word, quote) ? find_not_plain(before_end, quote) : npos;
+  if (swallowed != npos) return Flaw{swallowed, "a space or a comma is missing before this text"};
+  const std::size_t escape = text[quote] == '"' ? find_odd_escape(before_end, quote) : npos;
+  if (escape != npos) return Flaw{escape, "a backslash may not stand before this character"};
+  return std::nullopt;
+}
+
+std::optional<Flaw> find_flaw_of_syntax(std::string_view text) {
   constexpr int most_dots = 8;  // a scene has no key of more than two parts
   int dots = 0;
+  Word word;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'') {
-      const std::size_t end = end_of_string(text, i);
-      // toml++ takes a string that touches what stands before it, as in 0"text", for a part of that.
-      const bool touches = i > 0 && std::string_view(" \t\n\r=,[{").find(text[i - 1]) == npos;
-      const std::size_t odd = touches ? find_not_plain(text.substr(0, end), i) : npos;
-      if (odd != npos) return Flaw{odd, "a space or a comma is missing before this text"};
-      i = end;
+      if (const std::optional<Flaw> flaw = find_flaw_of_string(text, word, i)) return flaw;
+      i = end_of_string(text, i);
       continue;
     }
     if (c == '#') {
@@ -76,8 +104,10 @@ std::optional<Flaw> find_flaw_outside_strings(std::string_view text) {
     }
     if (!is_plain(c)) return Flaw{i, "a character that may stand in quotes or behind a # only"};
     if (c == '.' && ++dots > most_dots) return Flaw{i, "more dots than any key of a scene has; a text needs quotes"};
-    if (c == '\n' || c == ',' || c == '=' || c == '[' || c == '{') dots = 0;
+    if (std::string_view("\n,=[{").find(c) != npos) dots = 0;
+    if (c == '=') ++word.equals_signs;
     ++i;
+    if (std::string_view(" \t\n\r,[]{}").find(c) != npos) word = Word{i, 0};
   }
   return std::nullopt;
 }
@@ -100,8 +130,7 @@ std::optional<TextFlaw> find_flaw(std::string_view text) {
   if (const std::size_t at = find_bad_utf8(text); at != npos) {
     return TextFlaw{place_of(text, at), "not UTF-8 text from here on; save the file as UTF-8"};
   }
-  if (const std::optional<Flaw> flaw = find_flaw_outside_strings(text))
-    return TextFlaw{place_of(text, flaw->offset), flaw->text};
+  if (const std::optional<Flaw> flaw = find_flaw_of_syntax(text)) return TextFlaw{place_of(text, flaw->offset), flaw->text};
   return std::nullopt;
 }
 

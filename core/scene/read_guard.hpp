@@ -14,9 +14,9 @@ struct TextFlaw {
   std::string text;
 };
 
-/// Looks for what toml++ 3.3 does not survive or reports badly: text that is not UTF-8; letters beyond ASCII and control
-/// characters outside strings and comments, where its tables of characters have holes; keys of so many parts (a.a.a.a. ...)
-/// that the depth of their tables would exhaust the stack. None of it is in a good scene.
+/// Looks for what toml++ 3.3 does not survive or reports badly: text that is not UTF-8; letters beyond ASCII where its own
+/// tables of characters have holes, which is everywhere but in comments and well-formed strings; keys of so many parts
+/// (a.a.a.a. ...) that the depth of their tables would exhaust the stack. None of it is in a good scene.
 std::optional<TextFlaw> find_flaw(std::string_view text);
 
 }  // namespace raylab

@@ -10,7 +10,7 @@ namespace raylab {
 enum class Precision { f32, f64 };
 
 /// The fast engine: speed with known error. A scene is prepared once into one array for each kind of thing, so that what it
-/// lacks costs nothing; the formulas are those that rounding harms least (docs: DESIGN.md, "Measured facts").
+/// lacks costs nothing; the formulas are those that rounding harms least.
 ///
 /// In double a pixel agrees with the oracle to about 1e-12 unless it hangs on a decision (an edge, a tie). The same row
 /// gives the same bits in any thread. `scene` is copied. Throws std::invalid_argument for `f32` if a coordinate, colour,

@@ -1,5 +1,6 @@
 // libFuzzer target for everything that reads a scene file's bytes: any input must give a scene or an error, never a crash.
-//   clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -I. -DTOML_HEADER_ONLY=1 -DNDEBUG tests/fuzz/scene_fuzz.cpp core/scene/*.cpp
+//   clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -DTOML_HEADER_ONLY=0 -DTOML_SHARED_LIB=1 -I.
+//     tests/fuzz/scene_fuzz.cpp core/scene/*.cpp -ltomlplusplus
 // The first byte chooses the reader: 'c' for a cloud's table, anything else for a scene.
 #include "core/scene/read_cloud.hpp"
 #include "core/scene/read_scene.hpp"
@@ -19,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!rows_kept || (table.spheres.empty() && !report.has_error())) std::abort();
     return 0;
   }
-  const raylab::SceneFile file = raylab::parse_scene(text, "scene.toml");
+  const raylab::SceneFile file = raylab::parse_scene(text, "no folder/scene.toml");
   bool error = false;
   for (const raylab::Diagnostic& diagnostic : file.diagnostics) {
     error = error || diagnostic.severity == raylab::Diagnostic::Severity::error;
