@@ -9,26 +9,153 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 passed=0 failed=0
 
-ok() { passed=$((passed + 1)); }
-not_ok() {
-  failed=$((failed + 1))
-  printf 'FAILED: %s\n' "$1"
-  sed 's/^/  | /' out err 2>/dev/null | head -20
+# check WHAT COMMAND...: the command must succeed.
+check() {
+  local what=$1; shift
+  if "$@"; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf 'FAILED: %s\n' "$what"
+    sed 's/^/  | /' stdout stderr 2>/dev/null | head -20
+  fi
 }
-check() { local what=$1; shift; if "$@"; then ok; else not_ok "$what"; fi; }
-
-# run CODE ARGUMENT...: runs the program; its exit code must be CODE. Output goes to the files out and err.
+# run CODE ARGUMENT...: runs the program; its exit code must be CODE. What it prints goes to the files stdout and stderr.
 run() {
-  local code=$1 got; shift
-  "$program" "$@" >out 2>err </dev/null
-  got=$?
-  if ((got == code)); then ok; else not_ok "exit code $got, wanted $code: raylab $*"; fi
+  local code=$1 got=0; shift
+  "$program" "$@" >stdout 2>stderr </dev/null || got=$?
+  check "exit code $got, wanted $code: raylab $*" test "$got" = "$code"
 }
-says() { check "standard error says: $1" grep -qF -- "$1" err; }
-prints() { check "standard output says: $1" grep -qF -- "$1" out; }
-no_file() { check "nothing but $2 in $1" test "$(ls -A "$1" | tr '\n' ' ')" = "$2"; }
+prints() { check "standard output says: $1" grep -qF -- "$1" stdout; }
+says() { check "standard error says: $1" grep -qF -- "$1" stderr; }
+silent() { check 'standard error is silent' test ! -s stderr; }
 
-# Rendering
+cat >good.toml <<'TOML'
+[camera]
+position = [0, 1, 5]
+facing = [0, 0, -1]
+up = [0, 1, 0]
+[image]
+width = 33
+height = 21
+[[sphere]]
+center = [0, 1, 0]
+radius = 1
+color = [0.9, 0.2, 0.2]
+[[ambient_light]]
+intensity = 0.5
+TOML
+sed 's/radius = 1/radius = -1/; s/color/colour/' good.toml >bad.toml
+: >empty.toml
 
-run 0 render "$scenes/scene1.toml" --size 40x30
-check 'the default image is out/SCENE-STAGE.png' test -s out.d/x -o -s out/scene1-ssaa.png
+# render: where the image goes
+run 0 render good.toml
+prints 'out/good-ssaa.png  33x21'
+silent
+check 'the default name is out/SCENE-STAGE.png' test -s out/good-ssaa.png
+run 0 render good.toml --stage shadows
+check 'the stage by name' test -s out/good-shadows.png
+run 0 render good.toml --stage 2 -o deep/er/x.exr --size 8x4
+check 'the stage by number, a folder that is made' test -s deep/er/x.exr
+prints 'deep/er/x.exr  8x4'
+for ending in tif tiff bmp; do run 0 render good.toml --size 8x4 -o "x.$ending"; done
+
+# render: the same bytes for any number of threads
+for ending in png exr tif; do
+  run 0 render "$scenes/scene4.toml" --size 61x47 --threads 1 -o "one.$ending"
+  run 0 render "$scenes/scene4.toml" --size 61x47 --threads 7 -o "seven.$ending"
+  check "1 and 7 threads, .$ending" cmp -s "one.$ending" "seven.$ending"
+done
+
+# render: engines, precisions, sampling
+run 0 render good.toml --engine fast --precision f32 --stats stats.json -o fast.png
+check 'solution and engine give the same 8 bits here' cmp -s fast.png out/good-ssaa.png
+for key in '"load_seconds"' '"build_seconds"' '"render_seconds"' '"primary": 2772' '"shadow": 0' '"reflected": 0' \
+  '"refracted": 0' '"samples": 2772' '"threads"' '"engine": "fast"' '"precision": "f32"' '"width": 33' '"height": 21' \
+  '"peak_memory_bytes"'; do
+  check "--stats has $key" grep -qF -- "$key" stats.json
+done
+run 0 render good.toml --engine oracle --size 8x4 -o oracle.png
+run 0 render good.toml --stage 2 --aa grid16 --stats stats.json
+check '--aa works before stage 7' grep -qF '"samples": 11088' stats.json
+run 2 render good.toml --engine stages --precision f32
+says '--engine stages computes in f64 only'
+run 2 render good.toml --engine oracle --precision f64
+run 2 render good.toml --aa 9x9
+run 2 render good.toml --size 640
+says "wanted WIDTHxHEIGHT, like 640x480, each from 1 to 65536, got '640'"
+run 2 render good.toml --size 0x9
+run 2 render good.toml --size 70000x9
+run 2 render good.toml --stage fog
+says "there is no stage 'fog'"
+says '3 blinn-phong'
+run 2 render good.toml --max-bounces 101
+run 2 render good.toml --threads 0
+run 2 render
+run 2 paint good.toml
+run 2
+
+# render: what cannot be written or read
+run 1 render good.toml -o x.xyz
+says "no image format is known for the ending '.xyz': use .png, .exr or .tif"
+run 1 render good.toml -o deep
+run 1 render none.toml
+says 'none.toml'
+run 1 render bad.toml -o bad.png
+says 'bad.toml:10:10: sphere[0].radius: must be greater than 0, got -1'
+says "unknown key"
+says 'bad.toml: 3 mistakes'
+check 'nothing is rendered from a scene with a mistake' test ! -e bad.png
+sed 's/center = \[0, 1, 0\]/center = [0, 1, 1e20]/' good.toml >far.toml
+run 1 render far.toml --engine fast --precision f32
+says 'use --precision f64'
+
+# --show and the progress bar
+run 0 render good.toml --show
+prints '▀'
+check 'the viewer that the launcher names gets the file' env RAYLAB_VIEWER='cp -t viewed' bash -c \
+  'mkdir viewed && "$0" render good.toml --show >/dev/null && for i in {1..50}; do [[ -s viewed/good-ssaa.png ]] && exit; sleep 0.1; done; exit 1' "$program"
+check 'a long render shows a progress bar on a terminal' bash -c \
+  'script -qec "timeout -s INT 2 \"$0\" render \"$1\" --engine oracle -o long.png" /dev/null </dev/null | grep -q "left"' "$program" "$scenes/scene3.toml"
+
+# Ctrl-C: ends within 0.2 s, says so, and leaves nothing
+mkdir stopped
+for engine in stages fast oracle; do
+  "$program" render "$scenes/scene5.toml" --engine $engine --size 6000x6000 --aa grid64 -o stopped/x.png >stdout 2>stderr &
+  pid=$!
+  sleep 1.2
+  start=$(date +%s%N)
+  kill -INT $pid
+  code=0; wait $pid || code=$?
+  milliseconds=$((($(date +%s%N) - start) / 1000000))
+  check "--engine $engine: interrupted has exit code 130, got $code" test $code = 130
+  check "--engine $engine: stops within 0.2 s, took $milliseconds ms" test $milliseconds -lt ${RAYLAB_STOP_LIMIT_MS:-200}
+  check "--engine $engine: leaves no file" test -z "$(ls -A stopped)"
+  says 'interrupted, nothing was written'
+done
+
+# sheet, check-scene, stages, help, test
+run 0 sheet good.toml --size 40x30
+check 'the contact sheet' test -s out/good-sheet.png
+run 0 check-scene good.toml "$scenes"/*.toml "$scenes"/*/*.toml
+prints 'good.toml: good: 0 planes, 1 spheres, 1 lights, 33x21, 5 bounces'
+run 1 check-scene good.toml bad.toml empty.toml
+prints 'good.toml: good'
+says '2 of 3 scene files have mistakes'
+run 0 stages
+prints '5.1  reflect'
+run 0 --help
+prints 'raylab render scenes/scene5.toml'
+for command in render sheet check-scene test; do
+  run 0 $command --help
+  prints 'Example'
+done
+run 0 test 5.1
+prints '4 passed, 0 failed'
+run 0 test shadows
+run 2 test 5.9
+says "there is no stage or task '5.9'"
+run 2 test 55
+
+printf '%d passed, %d failed\n' $passed $failed
+((failed == 0))

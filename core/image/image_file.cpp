@@ -90,6 +90,8 @@ ImageWriter::ImageWriter(const fs::path& path, int width, int height) {
   spec.channelnames = {"R", "G", "B"};
   // OpenImageIO takes floats for linear light, which they are as little as the bytes: they are to be shown as they are.
   spec.attribute("oiio:ColorSpace", "sRGB");
+  // OpenImageIO would put the time into a TIFF; the same image shall be the same bytes.
+  if (state_->type == OIIO::TypeDesc::DOUBLE) spec.attribute("DateTime", "1970:01:01 00:00:00");
   if (!state_->output->open(temporary, spec)) fail(path, "cannot be written: " + state_->output->geterror());
 }
 

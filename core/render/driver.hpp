@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raylab {
@@ -225,6 +226,28 @@ class Driver {
   std::vector<Candidate> candidates_;
   std::vector<Crossing> crossings_;
   std::vector<Color> contributions_;
+};
+
+/// The driver with a table as an engine. `scene` must live as long as it. Whatever a task throws comes out of trace_rows().
+template <class Table>
+class DriverEngine final : public Engine {
+ public:
+  DriverEngine(const Scene& scene, const Settings& settings, const Table& table, std::vector<RayFilter> filters)
+      : scene_(scene), settings_(settings), table_(table), filters_(std::move(filters)) {}
+
+  void trace_rows(int first_row, std::span<Color> pixels, RayCounts& counts,
+                  const std::atomic<bool>& cancel) const override {
+    Driver<Table> driver(scene_, settings_, table_, filters_, counts, cancel);
+    const auto width = static_cast<std::size_t>(settings_.size.width);
+    for (std::size_t k = 0; k < pixels.size(); ++k)
+      pixels[k] = driver.pixel(static_cast<int>(k % width), first_row + static_cast<int>(k / width));
+  }
+
+ private:
+  const Scene& scene_;
+  const Settings settings_;
+  const Table table_;
+  const std::vector<RayFilter> filters_;
 };
 
 }  // namespace raylab

@@ -64,38 +64,31 @@ struct Flaw {
   const char* text;
 };
 
-/// What stands together without a space, a comma or a bracket.
-struct Word {
-  std::size_t begin = 0;
-  int equals_signs = 0;
-};
-
-/// May toml++ take the string at `quote`, in `word`, for a part of a number? It does so in 0"text" and x=0="text", and it
-/// is then that it does not survive every letter. Only name="text" is as it should be.
-bool may_be_swallowed(std::string_view text, Word word, std::size_t quote) {
-  if (word.begin == quote) return false;
-  const bool number = std::string_view("0123456789+-").find(text[word.begin]) != npos;
-  return number || word.equals_signs != 1 || text[quote - 1] != '=';
+/// toml++ looks ahead from the first sign or digit of a number to the next space, comma or bracket that closes, through
+/// quotes too: in x=6"text" it meets the text's letters, and does not survive all of them.
+std::size_t find_text_in_number(std::string_view text, std::size_t begin) {
+  constexpr std::size_t look_ahead = 128;
+  const std::string_view ahead = text.substr(0, begin + look_ahead);
+  return find_not_plain(ahead.substr(0, ahead.find_first_of(" \t\n\r,]}#", begin)), begin);
 }
 
-std::optional<Flaw> find_flaw_of_string(std::string_view text, Word word, std::size_t quote) {
-  const std::string_view before_end = text.substr(0, end_of_string(text, quote));
-  const std::size_t swallowed = may_be_swallowed(text, word, quote) ? find_not_plain(before_end, quote) : npos;
-  if (swallowed != npos) return Flaw{swallowed, "a space or a comma is missing before this text"};
-  const std::size_t escape = text[quote] == '"' ? find_odd_escape(before_end, quote) : npos;
-  if (escape != npos) return Flaw{escape, "a backslash may not stand before this character"};
-  return std::nullopt;
+/// Does a value or a key begin at `i`?
+bool begins(std::string_view text, std::size_t i) {
+  return i == 0 || std::string_view(" \t\n\r=,[{").find(text[i - 1]) != npos;
 }
+
+bool may_begin_number(char c) { return (c >= '0' && c <= '9') || c == '+' || c == '-'; }
 
 std::optional<Flaw> find_flaw_of_syntax(std::string_view text) {
   constexpr int most_dots = 8;  // a scene has no key of more than two parts
   int dots = 0;
-  Word word;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'') {
-      if (const std::optional<Flaw> flaw = find_flaw_of_string(text, word, i)) return flaw;
-      i = end_of_string(text, i);
+      const std::size_t end = end_of_string(text, i);
+      const std::size_t odd = c == '"' ? find_odd_escape(text.substr(0, end), i) : npos;
+      if (odd != npos) return Flaw{odd, "a backslash may not stand before this character"};
+      i = end;
       continue;
     }
     if (c == '#') {
@@ -103,11 +96,13 @@ std::optional<Flaw> find_flaw_of_syntax(std::string_view text) {
       continue;
     }
     if (!is_plain(c)) return Flaw{i, "a character that may stand in quotes or behind a # only"};
+    if (may_begin_number(c) && begins(text, i)) {
+      const std::size_t odd = find_text_in_number(text, i);
+      if (odd != npos) return Flaw{odd, "a space or a comma is missing before this text"};
+    }
     if (c == '.' && ++dots > most_dots) return Flaw{i, "more dots than any key of a scene has; a text needs quotes"};
     if (std::string_view("\n,=[{").find(c) != npos) dots = 0;
-    if (c == '=') ++word.equals_signs;
     ++i;
-    if (std::string_view(" \t\n\r,[]{}").find(c) != npos) word = Word{i, 0};
   }
   return std::nullopt;
 }
