@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -64,22 +65,34 @@ struct ImageWriter::State {
   OIIO::TypeDesc type;
   PartialFile file;
   std::unique_ptr<OIIO::ImageOutput> output;
-  bool empty = true;
+  int height;
+  int rows_written = 0;
 
   ~State() {
-    // libpng complains on standard error of an abandoned file that has no row at all.
-    if (output && empty) write(0, 1, std::vector<double>(3 * static_cast<std::size_t>(width)).data());
+    if (output && type == OIIO::TypeDesc::UINT8) quieten_libpng();
   }
 
   bool write(int first_row, int rows, const void* values) {
-    empty = false;
+    rows_written = first_row + rows;
     return output->write_scanlines(first_row, first_row + rows, 0, type, values);
+  }
+
+  /// libpng complains on standard error when a file is closed before any of its data has left the compressor. An abandoned
+  /// file therefore gets some rows of noise, which cannot be held back by compression.
+  void quieten_libpng() {
+    constexpr std::size_t enough_bytes = 1 << 17;
+    std::minstd_rand noise;
+    std::vector<unsigned char> row(3 * static_cast<std::size_t>(width));
+    for (std::size_t written = 0; written < enough_bytes && rows_written < height; written += row.size()) {
+      for (unsigned char& byte : row) byte = static_cast<unsigned char>(noise() >> 8);
+      if (!write(rows_written, 1, row.data())) return;
+    }
   }
 };
 
 ImageWriter::ImageWriter(const fs::path& path, int width, int height) {
   if (path.extension().empty()) fail(path, "an image's name needs an ending that says its format: .png, .exr or .tif");
-  state_.reset(new State{path, width, component_type(path), PartialFile(path), nullptr, true});
+  state_.reset(new State{path, width, component_type(path), PartialFile(path), nullptr, height});
   const std::string temporary = state_->file.temporary().string();
   state_->output = OIIO::ImageOutput::create(temporary);
   if (!state_->output) {

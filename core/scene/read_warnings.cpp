@@ -66,6 +66,7 @@ class Surprises {
  public:
   Surprises(const Scene& scene, const ScenePlaces& places, Report& report)
       : scene_(scene), places_(places), report_(report) {
+    balls_.reserve(geometry_count(scene));
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
       const SphereObject& sphere = scene.spheres[i];
       groups_.push_back({indexed("sphere", i), places.spheres[i], balls_.size(), balls_.size() + 1, false});

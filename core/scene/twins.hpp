@@ -7,9 +7,16 @@
 
 namespace raylab {
 
+/// A place in the hash table of first_twins().
+struct TwinSlot {
+  static constexpr std::uint32_t free = 0xFFFFFFFF;
+  std::uint32_t hash = 0;
+  std::uint32_t index = free;
+};
+
 /// For each of `count` things the index of the first one that equals it: its own if there is none before.
-/// `numbers_of(i)` gives thing i as an array of doubles without nan. One pass over a hash table, so that a million things
-/// take tens of milliseconds.
+/// `count` is below 2^32 - 1; `numbers_of(i)` gives thing i as an array of doubles without nan. One pass over a hash table,
+/// so that a million things take tens of milliseconds.
 template <class NumbersOf>
 std::vector<std::size_t> first_twins(std::size_t count, const NumbersOf& numbers_of) {
   const auto hash = [](const auto& numbers) {
@@ -19,18 +26,21 @@ std::vector<std::size_t> first_twins(std::size_t count, const NumbersOf& numbers
       mixed *= 0x9E3779B97F4A7C15U;
       mixed ^= mixed >> 32U;
     }
-    return static_cast<std::size_t>(mixed);
+    return mixed;
   };
-  const std::size_t free = count;
-  std::vector<std::size_t> slots(std::bit_ceil(2 * count + 1), free);
+  std::vector<TwinSlot> slots(std::bit_ceil(2 * count + 1));
   const std::size_t mask = slots.size() - 1;
   std::vector<std::size_t> first(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto numbers = numbers_of(i);
-    std::size_t slot = hash(numbers) & mask;
-    while (slots[slot] != free && numbers_of(slots[slot]) != numbers) slot = (slot + 1) & mask;
-    if (slots[slot] == free) slots[slot] = i;
-    first[i] = slots[slot];
+    const std::uint64_t mixed = hash(numbers);
+    const TwinSlot own{static_cast<std::uint32_t>(mixed >> 32U), static_cast<std::uint32_t>(i)};
+    std::size_t at = static_cast<std::size_t>(mixed) & mask;
+    // The hashes first: the numbers of another thing are far away in memory.
+    while (slots[at].index != TwinSlot::free && (slots[at].hash != own.hash || numbers_of(slots[at].index) != numbers))
+      at = (at + 1) & mask;
+    if (slots[at].index == TwinSlot::free) slots[at] = own;
+    first[i] = slots[at].index;
   }
   return first;
 }

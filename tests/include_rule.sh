@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Who may include what: the one-way rule math <- scene <- image <- render <- cli, and each library's one user.
+#   tests/include_rule.sh SOURCE_FOLDER
+set -euo pipefail
+cd "$1"
+failed=0 passed=0
+
+# rule FILES PATTERN...: the files' quoted includes of project headers must all match one of the patterns.
+rule() {
+  local files=$1 allowed wrong; shift
+  allowed=$(IFS='|'; echo "$*")
+  # shellcheck disable=SC2086  # FILES is a glob
+  wrong=$(grep -nE '^#include "' $files | grep -vE "#include \"($allowed)" || true)
+  if [[ -z $wrong ]]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf 'FAILED: %s may include only %s\n%s\n' "$files" "$allowed" "$wrong"
+  fi
+}
+# only LIBRARY PLACE: no file of ours outside PLACE includes the library.
+only() {
+  local wrong
+  wrong=$(git ls-files '*.hpp' '*.cpp' | grep -vE "$2" | xargs grep -nE "^#include <$1" || true)
+  if [[ -z $wrong ]]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf 'FAILED: only %s may include <%s\n%s\n' "$2" "$1" "$wrong"
+  fi
+}
+
+rule 'core/math/*.hpp' core/math/
+rule 'core/scene/*' core/math/ core/scene/
+rule 'core/image/*' core/math/ core/scene/ core/image/
+rule 'core/render/*' core/math/ core/scene/ core/image/ core/render/ stages/stages.hpp
+rule 'core/cli/*.?pp' core/ 'reference/(engine/engine|oracle/oracle).hpp' tests/runner.hpp
+rule 'stages/*/*.?pp' core/math/ 'stages/[0-9][0-9]_'
+rule 'stages/export_tasks.cpp' core/math/ stages/stages.hpp
+rule 'reference/solution/*' 'stages/[0-9][0-9]_'
+rule 'reference/oracle/*' core/math/ core/scene/scene.hpp core/render/engine.hpp reference/oracle/
+rule 'reference/engine/*' core/math/ core/scene/scene.hpp core/render/engine.hpp reference/engine/
+for folder in stages/[0-9][0-9]_*; do rule "$folder/*.?pp" core/math/ "$folder/stage.hpp"; done
+
+only 'toml\+\+' '^core/scene/'
+only OpenImageIO '^core/image/'
+only CLI/ '^core/cli/'
+only boost/ '^reference/oracle/'
+only glm '^(core/math|reference/solution|stages)/'
+only nlohmann '^(core/cli|tests)/'
+only catch2 '^tests/'
+only '(sys/|unistd|linux/|windows|fcntl)' '^tests/'
+
+printf '%d passed, %d failed\n' $passed $failed
+((failed == 0))
