@@ -22,6 +22,7 @@ constexpr int label_scale = 2;
 constexpr int label_height = label_row * label_scale + 6;
 const Color paper(0.11);
 const Color ink(0.92);
+const Color faint_ink(0.6);
 
 struct Sheet {
   std::string scene;
@@ -77,6 +78,12 @@ void run(const Sheet& sheet) {
                 place.row + label_height + first_row + static_cast<int>(k) / tile.width) = pixels[k];
     };
     watched_render(*engine, tile, options.threads, name + " " + label, sink);
+  }
+
+  if (stages.size() % columns != 0) {  // the free place after the last picture
+    const Place free = place_of(static_cast<int>(stages.size()), tile);
+    draw_label(page, free.column, free.row + 2, fitting(name, tile.width), ink, label_scale);
+    draw_label(page, free.column, free.row + label_height, fitting(scene.title, tile.width), faint_ink, label_scale);
   }
 
   const fs::path output = sheet.output.empty() ? fs::path("out") / (name + "-sheet.png") : fs::path(sheet.output);

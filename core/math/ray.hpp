@@ -13,7 +13,7 @@ inline constexpr GeometryId no_geometry = -1;
 enum class Side { outwards, inwards };
 
 /// The surface that a ray starts on, and the side on which it starts; `no_geometry` for a ray that starts in free space.
-/// It says what rounded numbers cannot: whether the ray may meet that surface again (MODEL.md, D6).
+/// It says what rounded numbers cannot: whether the ray may meet that surface again (docs/model.md, D6).
 struct Leaves {
   GeometryId geometry = no_geometry;
   Side side = Side::outwards;

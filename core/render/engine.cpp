@@ -33,7 +33,6 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
   shadow += other.shadow;
   reflected += other.reflected;
   refracted += other.refracted;
-  samples += other.samples;
   return *this;
 }
 

@@ -27,13 +27,12 @@ struct Settings {
   std::optional<AntiAliasing> aa;  ///< nothing: as the stage says, one sample before stage 7, the rotated grid from there
 };
 
-/// How many rays of each kind were traced, and how many samples that was.
+/// How many rays of each kind were traced; one primary ray for each sample.
 struct RayCounts {
   std::uint64_t primary = 0;
   std::uint64_t shadow = 0;
   std::uint64_t reflected = 0;
   std::uint64_t refracted = 0;
-  std::uint64_t samples = 0;
 
   RayCounts& operator+=(const RayCounts& other);
 };

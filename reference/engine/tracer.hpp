@@ -58,7 +58,6 @@ class Tracer {
 
   Vec3<T> primary(int column, int row, const SampleOffset& sample) {
     ++counts_.primary;
-    ++counts_.samples;
     const PreparedCamera<T>& camera = scene_.camera;
     const T x = static_cast<T>(column + 0.5 - 0.5 * scene_.settings.size.width + sample.dx);
     const T y = static_cast<T>(0.5 * scene_.settings.size.height - row - 0.5 + sample.dy);

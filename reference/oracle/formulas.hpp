@@ -1,6 +1,6 @@
 #pragma once
 
-// MODEL.md's formulas as printed, in its order. Its section numbers and decisions [D n] stand in the comments, and its
+// docs/model.md's formulas as printed, in its order. Its section numbers and decisions [D n] stand in the comments, and its
 // symbols are the names: L, N, V, R are unit vectors, but for R0 and R, the reflected part.
 #include "core/math/camera.hpp"
 #include "core/math/ray.hpp"

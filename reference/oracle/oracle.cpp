@@ -1,4 +1,4 @@
-// The truth: how MODEL.md's formulas (formulas.hpp) work together, in its order.
+// The truth: how docs/model.md's formulas (formulas.hpp) work together, in its order.
 #include "reference/oracle/oracle.hpp"
 
 #include "reference/oracle/formulas.hpp"
@@ -87,7 +87,6 @@ class Tracer {
  private:
   Vec3<T> primary(const Ray<T>& ray) {
     ++counts_.primary;
-    ++counts_.samples;
     if (world_.settings.stage == 1) return (ray.direction + Vec3<T>(1, 1, 1)) / T(2);  // D5
     return color(ray, 0);
   }
