@@ -106,6 +106,13 @@ says 'bad.toml:10:10: sphere[0].radius: must be greater than 0, got -1'
 says "unknown key"
 says 'bad.toml: 3 mistakes'
 check 'nothing is rendered from a scene with a mistake' test ! -e bad.png
+mkfifo pipe.toml
+run 1 render pipe.toml
+says 'pipe.toml: a pipe or a device; copy its content to a file'
+run 1 check-scene /dev/zero
+sed 's/^\[\[sphere\]\]/[[sphere_cloud]]\nfile = "pipe.toml"/; /^center/d; /^radius/d' good.toml >cloud.toml
+run 1 check-scene cloud.toml
+says 'cloud.toml:9:8: sphere_cloud[0].file: cannot read pipe.toml: a pipe or a device'
 sed 's/center = \[0, 1, 0\]/center = [0, 1, 1e20]/' good.toml >far.toml
 run 1 render far.toml --engine fast --precision f32
 says 'use --precision f64'

@@ -1,21 +1,17 @@
 #include "core/scene/read_cloud.hpp"
 #include "core/scene/read_decimal.hpp"
 #include "core/scene/read_scene.hpp"
-
 #include "tests/catch.hpp"
-
-#include <sys/stat.h>
+#include "tests/temporary_folder.hpp"
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <random>
 #include <string>
-#include <system_error>
 #include <vector>
 
 using namespace raylab;
+using raylab::test::TemporaryFolder;
 
 namespace {
 
@@ -42,34 +38,11 @@ CloudTable good(const std::string& table) {
   return cloud;
 }
 
-/// A new folder with a scene file that names a cloud, for the length of a test.
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("raylab_scene_cloud_" + std::to_string(std::random_device()()))) {
-    fs::create_directory(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  void write(const std::string& name, const std::string& content) const {
-    std::ofstream(file(name), std::ios::binary) << content;
-  }
-
-  /// Reads a scene with a far camera and this [[sphere_cloud]], whose header is in line 2.
-  SceneFile scene(const std::string& cloud) const {
-    write("scene.toml",
-          "camera = {position = [0, 0, 1e9], facing = [0, 0, -1], up = [0, 1, 0]}\n[[sphere_cloud]]\n" + cloud);
-    return read_scene(file("scene.toml"));
-  }
-
- private:
-  fs::path path_;
-};
+/// Reads a scene in `folder` with a far camera and this [[sphere_cloud]], whose header is in line 2.
+SceneFile scene_in(const TemporaryFolder& folder, const std::string& cloud) {
+  return read_scene(folder.write(
+      "scene.toml", "camera = {position = [0, 0, 1e9], facing = [0, 0, -1], up = [0, 1, 0]}\n[[sphere_cloud]]\n" + cloud));
+}
 
 }  // namespace
 
@@ -204,13 +177,13 @@ TEST_CASE("scene: a cloud's number is the double nearest its text", "[scene]") {
 }
 
 TEST_CASE("scene: a cloud is read from its file beside the scene", "[scene]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("cloud.csv", "x,y,z,radius\n1,2,3,4\n");
-  fs::create_directory(folder.file("sub"));
-  fs::rename(folder.file("cloud.csv"), folder.file("sub/cloud.csv"));
+  fs::create_directory((folder / "sub").string());
+  fs::rename((folder / "cloud.csv").string(), (folder / "sub/cloud.csv").string());
   for (const std::string& name :
-       {std::string("sub/cloud.csv"), std::string("./sub/../sub/cloud.csv"), folder.file("sub/cloud.csv")}) {
-    const SceneFile file = folder.scene("file = \"" + name + "\"\ncolor = [0.1, 0.2, 0.3]\nshininess = 7\n");
+       {std::string("sub/cloud.csv"), std::string("./sub/../sub/cloud.csv"), (folder / "sub/cloud.csv").string()}) {
+    const SceneFile file = scene_in(folder, "file = \"" + name + "\"\ncolor = [0.1, 0.2, 0.3]\nshininess = 7\n");
     CHECK(texts(file.diagnostics) == Messages{});
     REQUIRE(file.scene.has_value());
     REQUIRE(file.scene->clouds.size() == 1);
@@ -224,70 +197,68 @@ TEST_CASE("scene: a cloud is read from its file beside the scene", "[scene]") {
 }
 
 TEST_CASE("scene: a cloud has its color from the section or from the table", "[scene]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("plain.csv", "x,y,z,radius\n1,2,3,4\n");
   folder.write("colors.csv", "x,y,z,radius,r,g,b\n1,2,3,4,0.5,0.25,0\n");
-  const std::string scene = folder.file("scene.toml");
+  const std::string scene = (folder / "scene.toml").string();
 
-  CHECK(texts(folder.scene("file = \"plain.csv\"\n").diagnostics) ==
+  CHECK(texts(scene_in(folder, "file = \"plain.csv\"\n").diagnostics) ==
         Messages{scene + ":2:1: sphere_cloud[0].color: missing, must be a list of 3 numbers"});
 
-  const SceneFile colored = folder.scene("file = \"colors.csv\"\n");
+  const SceneFile colored = scene_in(folder, "file = \"colors.csv\"\n");
   CHECK(texts(colored.diagnostics) == Messages{});
   CHECK(colored.scene.value().clouds.at(0).colors.at(0) == Color(0.5, 0.25, 0));
 
-  const SceneFile both = folder.scene("file = \"colors.csv\"\ncolor = [1, 1, 1]\n");
+  const SceneFile both = scene_in(folder, "file = \"colors.csv\"\ncolor = [1, 1, 1]\n");
   CHECK(texts(both.diagnostics) ==
         Messages{scene + ":4:9: warning: sphere_cloud[0].color: not used: colors.csv has a color for each sphere"});
   CHECK(both.scene.value().clouds.at(0).colors.at(0) == Color(0.5, 0.25, 0));
 }
 
 TEST_CASE("scene: a cloud's file that cannot be read is a mistake at its name", "[scene]") {
-  const Folder folder;
-  fs::create_directory(folder.file("folder"));
-  REQUIRE(mkfifo(folder.file("pipe").c_str(), 0600) == 0);
+  const TemporaryFolder folder;
+  fs::create_directory((folder / "folder").string());
   folder.write("empty", "");
   const auto check = [&](const std::string& name, const std::string& why) {
-    const SceneFile file = folder.scene("file = \"" + name + "\"\n");
+    const SceneFile file = scene_in(folder, "file = \"" + name + "\"\n");
     CHECK_FALSE(file.scene.has_value());
-    CHECK(texts(file.diagnostics) == Messages{folder.file("scene.toml") + ":3:8: sphere_cloud[0].file: cannot read " +
-                                              (fs::path(folder.file("")) / name).string() + ": " + why});
+    CHECK(texts(file.diagnostics) == Messages{(folder / "scene.toml").string() + ":3:8: sphere_cloud[0].file: cannot read " +
+                                              (folder / name).string() + ": " + why});
   };
   check("none.csv", "no such file");
   check("folder", "a directory; name a file in it");
   check("", "a directory; name a file in it");
-  check("pipe", "a pipe or a device; copy its content to a file");
-  check("/dev/zero", "a pipe or a device; copy its content to a file");
   check("empty", "an empty file");
   check(std::string(300, 'n'), "File name too long");
 }
 
 TEST_CASE("scene: the mistakes of all tables come in one run, after the scene's own", "[scene]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("a.csv", "x,y,z,radius\n1,2,3,0\n");
   folder.write("b.csv", "x,y,z,radius\n1,2,3,4\n1,2,c,4\n");
-  const SceneFile file = folder.scene("file = \"a.csv\"\ncolor = [1, 1, -1]\n[[sphere_cloud]]\nfile = \"b.csv\"\n");
+  const SceneFile file = scene_in(folder, "file = \"a.csv\"\ncolor = [1, 1, -1]\n[[sphere_cloud]]\nfile = \"b.csv\"\n");
   CHECK_FALSE(file.scene.has_value());
   CHECK(texts(file.diagnostics) ==
-        Messages{folder.file("scene.toml") + ":4:16: sphere_cloud[0].color[2]: must be at least 0, got -1",
-                 folder.file("scene.toml") + ":5:1: sphere_cloud[1].color: missing, must be a list of 3 numbers",
-                 folder.file("a.csv") + ":2:7: sphere_cloud[0].radius: must be greater than 0, got 0",
-                 folder.file("b.csv") + ":3:5: sphere_cloud[1].z: must be a number, got 'c'"});
+        Messages{(folder / "scene.toml").string() + ":4:16: sphere_cloud[0].color[2]: must be at least 0, got -1",
+                 (folder / "scene.toml").string() + ":5:1: sphere_cloud[1].color: missing, must be a list of 3 numbers",
+                 (folder / "a.csv").string() + ":2:7: sphere_cloud[0].radius: must be greater than 0, got 0",
+                 (folder / "b.csv").string() + ":3:5: sphere_cloud[1].z: must be a number, got 'c'"});
 }
 
 TEST_CASE("scene: a mistake in a table alone is enough to have no scene", "[scene]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("a.csv", "x,y,z,radius\n1,2,3,0\n");
-  CHECK_FALSE(folder.scene("file = \"a.csv\"\ncolor = [1, 1, 1]\n").scene.has_value());
+  CHECK_FALSE(scene_in(folder, "file = \"a.csv\"\ncolor = [1, 1, 1]\n").scene.has_value());
 }
 
 TEST_CASE("scene: a cloud gets one warning of each kind", "[scene]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("a.csv", "x,y,z,radius\n0,0,0,1\n5,0,0,1\n0,0,0,1\n5,0,0,1\n0,0,1e9,2\n0,0,1e9,3\n");
-  const std::string scene = folder.file("scene.toml");
-  const SceneFile file = folder.scene(
-      "file = \"a.csv\"\ncolor = [1, 1, 1]\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\ncolor = [1, 1, 1]\n"
-      "[[sphere]]\ncenter = [5, 0, 0]\nradius = 2\ncolor = [1, 1, 1]\ntransparent = true\n");
+  const std::string scene = (folder / "scene.toml").string();
+  const SceneFile file =
+      scene_in(folder,
+               "file = \"a.csv\"\ncolor = [1, 1, 1]\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\ncolor = [1, 1, 1]\n"
+               "[[sphere]]\ncenter = [5, 0, 0]\nradius = 2\ncolor = [1, 1, 1]\ntransparent = true\n");
   CHECK(file.scene.has_value());
   CHECK(texts(file.diagnostics) ==
         Messages{scene + ":1:22: warning: camera.position: inside sphere_cloud[0] line 6 and 1 more",
@@ -296,13 +267,13 @@ TEST_CASE("scene: a cloud gets one warning of each kind", "[scene]") {
 }
 
 TEST_CASE("scene: spheres of a cloud that differ in color are not identical", "[scene]") {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("a.csv", "x,y,z,radius,r,g,b\n0,0,0,1,1,0,0\n0,0,0,1,0,1,0\n");
-  CHECK(texts(folder.scene("file = \"a.csv\"\n").diagnostics) == Messages{});
+  CHECK(texts(scene_in(folder, "file = \"a.csv\"\n").diagnostics) == Messages{});
   folder.write("a.csv", "x,y,z,radius,r,g,b\n0,0,0,1,1,0,0\n0,0,0,1,1,0,0\n");
-  CHECK(
-      texts(folder.scene("file = \"a.csv\"\n").diagnostics) ==
-      Messages{folder.file("scene.toml") + ":2:1: warning: sphere_cloud[0]: line 3 is identical to sphere_cloud[0] line 2"});
+  CHECK(texts(scene_in(folder, "file = \"a.csv\"\n").diagnostics) ==
+        Messages{(folder / "scene.toml").string() +
+                 ":2:1: warning: sphere_cloud[0]: line 3 is identical to sphere_cloud[0] line 2"});
 }
 
 TEST_CASE("scene: a cloud of a million spheres is read to its end", "[scene]") {

@@ -18,7 +18,7 @@ struct CloudTable {
 };
 
 /// Reads a table of spheres: a line `x,y,z,radius` or `x,y,z,radius,r,g,b`, then one row of numbers for each sphere.
-/// Lines end in LF or CRLF, the last one in either or in nothing. Ranges are those of a [[sphere]] (MODEL.md, "Scene
+/// Lines end in LF or CRLF, the last one in either or in nothing. Ranges are those of a [[sphere]] (docs/model.md, "Scene
 /// files"). Every wrong field goes to `report` under `key`, "sphere_cloud[0]".
 CloudTable parse_cloud(std::string_view text, const std::string& key, Report& report);
 

@@ -19,7 +19,7 @@ inline constexpr Rule is_number{[](double x) { return !std::isnan(x); }, "must b
 inline constexpr Rule not_negative{[](double x) { return x >= 0; }, "must be at least 0"};
 inline constexpr Rule positive{[](double x) { return x > 0; }, "must be greater than 0"};
 
-// The ranges of MODEL.md, "Scene files", one list for each kind of number; the first rule that fails is the one named.
+// The ranges of docs/model.md, "Scene files", one list for each kind of number; the first rule that fails is the one named.
 inline constexpr std::array direction_rules{is_finite};
 inline constexpr std::array coordinate_rules{
     is_finite, Rule{[](double x) { return std::abs(x) <= 1e100; }, "must be between -1e100 and 1e100"}};

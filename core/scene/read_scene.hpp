@@ -17,7 +17,7 @@ struct SceneFile {
   std::vector<Diagnostic> diagnostics;
 };
 
-/// Reads a scene file and the cloud tables beside it. The format, with its defaults and ranges, is in MODEL.md, "Scene
+/// Reads a scene file and the cloud tables beside it. The format, with its defaults and ranges, is in docs/model.md, "Scene
 /// files (TOML)". All mistakes are found in one run; only a syntax error ends it. Never throws for what a file holds.
 SceneFile read_scene(const std::filesystem::path& path);
 

@@ -15,7 +15,7 @@ struct ScenePlaces {
   std::vector<Place> clouds;
 };
 
-/// Warns of what is legal but surprising (MODEL.md, "Scene files"): a camera inside a sphere, glass that holds or cuts
+/// Warns of what is legal but surprising (docs/model.md, "Scene files"): a camera inside a sphere, glass that holds or cuts
 /// another geometry, a geometry that is there twice. A cloud gets one warning of each kind, however many spheres it is
 /// about.
 void warn_of_surprises(const Scene& scene, const ScenePlaces& places, Report& report);
