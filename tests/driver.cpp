@@ -381,3 +381,12 @@ TEST_CASE("stage table: every task's label has the number of its stage, in order
     last = task.label;
   }
 }
+
+TEST_CASE("unit: has length 1 for any length but zero, which it keeps", "[math]") {
+  for (const double size : {5e-324, 1e-310, 1e-200, 1.0, 1e200, 1.7e308}) {
+    CHECK(unit(Vec3(0, -size, 0)) == Vec3(0, -1, 0));
+    CHECK(length(unit(Vec3(size, size, -size))) == within(4e-16, 1.0));
+  }
+  CHECK(unit(Vec3(0)) == Vec3(0));
+  CHECK(std::isnan(unit(Vec3(std::nan(""), 1, 0)).y));
+}

@@ -3,14 +3,19 @@
 
 #include "tests/catch.hpp"
 
+#include <cstdlib>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
 namespace raylab::test {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 StageTable table_under_test;
-std::filesystem::path called_as;
+fs::path called_as;
 Totals totals;
 
 #if __has_include(<catch2/catch_all.hpp>)
@@ -28,6 +33,16 @@ struct TotalsListener : ListenerBase {
   }
 };
 CATCH_REGISTER_LISTENER(TotalsListener)
+
+/// Where the running program lies: the folder that it was called by, or the first one in PATH that has it.
+fs::path folder_of_program() {
+  if (called_as.has_parent_path()) return fs::weakly_canonical(called_as).parent_path();
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (fs::exists(fs::path(folder) / called_as)) return fs::weakly_canonical(fs::path(folder) / called_as).parent_path();
+  return {};
+}
 
 }  // namespace
 
@@ -53,8 +68,7 @@ Totals run_tests(const std::string& selection, const StageTable& table, const st
 const StageTable& table() { return table_under_test; }
 
 std::filesystem::path data_folder(const std::string& name) {
-  namespace fs = std::filesystem;
-  const fs::path installed = called_as.parent_path() / RAYLAB_DATA_FROM_PROGRAM / name;
+  const fs::path installed = folder_of_program() / RAYLAB_DATA_FROM_PROGRAM / name;
   return fs::exists(installed) ? installed : fs::path(RAYLAB_SOURCE_FOLDER) / name;
 }
 

@@ -44,7 +44,7 @@ std::optional<int> whole_number(std::string_view text) {
 }  // namespace
 
 void add_common_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("--aa", options.aa, "Samples in a pixel, at any stage: none, grid4, rotated4, grid16 or grid64")
+  command.add_option("--aa", options.aa, "Samples in a pixel, at any stage; default: as the stage says")
       ->check(CLI::IsMember(patterns))
       ->type_name("PATTERN");
   command.add_option("--size", options.size, "Size of an image in place of the scene's")->type_name("WxH");
@@ -60,10 +60,11 @@ void add_engine_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--stage", options.stage, "The last stage that takes part, by name or number; default: the last of all")
       ->type_name("STAGE");
-  command.add_option("--engine", options.engine, "Who computes: stages (default), fast or oracle")
+  command
+      .add_option("--engine", options.engine, "Who computes: the stages' functions (default), the fast engine or the oracle")
       ->check(CLI::IsMember({"stages", "fast", "oracle"}))
       ->type_name("ENGINE");
-  command.add_option("--precision", options.precision, "Of --engine fast: f32 or f64 (default)")
+  command.add_option("--precision", options.precision, "Of --engine fast; default: f64")
       ->check(CLI::IsMember({"f32", "f64"}))
       ->type_name("PRECISION");
 }

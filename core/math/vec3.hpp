@@ -18,17 +18,21 @@ using Vec3 = glm::dvec3;
 using Color = glm::dvec3;
 
 /// `v` times the power of two that brings its largest component to 1..2: the same direction to the last bit, with squares
-/// that neither vanish nor overflow. `v` is not zero.
+/// that neither vanish nor overflow. Zero, and what is no number, stays as it is.
 inline Vec3 scaled(const Vec3& v) {
-  const int exponent = std::ilogb(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0) || std::isinf(largest)) return v;
+  const int exponent = std::ilogb(largest);
   return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
 }
 
-/// The unit vector along `v`. Any length but zero is fine, even one whose square is too small or too large for a double.
+/// The unit vector along `v`. Any length is fine, even one whose square is too small or too large for a double. Zero, which
+/// has no direction, stays zero.
 inline Vec3 unit(const Vec3& v) {
   const double squared = glm::dot(v, v);
   if (squared > 1e-280 && squared < 1e280) return v / std::sqrt(squared);
-  return scaled(v) / glm::length(scaled(v));
+  const Vec3 comparable = scaled(v);
+  return v == Vec3(0) ? v : comparable / glm::length(comparable);
 }
 
 }  // namespace raylab

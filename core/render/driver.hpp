@@ -147,8 +147,10 @@ class Driver {
 
   /// to_light: any length. A light below the surface is dark without a shadow.
   bool in_shadow(const Hit& hit, const Vec3& to_light, double distance) {
-    if (!has(shadows) || !(dot(to_light, hit.normal) > 0)) return false;
-    const Ray ray{hit.point, unit(to_light), hit.leaves};
+    if (!has(shadows)) return false;
+    const Vec3 l = unit(to_light);
+    if (!(dot(l, hit.normal) > 0)) return false;
+    const Ray ray{hit.point, l, hit.leaves};
     ++counts_.shadow;
     crossings_.clear();
     ask_all(ray, [&](GeometryId, std::optional<double> t, bool transparent) {
