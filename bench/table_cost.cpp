@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   const StageTable table = import_tasks(*raylab_tasks_solution());
   std::printf("%-28s %10s %10s %7s   (stage 6, 320x240, 1 thread, %d rounds)\n", "scene", "table", "inlined", "ratio",
               rounds);
+  bool all_equal = true;
   for (int k = 1; k < argc; ++k) {
     const SceneFile file = read_scene(argv[k]);
     if (!file.scene) return 1;
@@ -56,5 +57,7 @@ int main(int argc, char** argv) {
     }
     std::printf("%-28s %8.2fms %8.2fms %7.2f   images %s\n", argv[k], 1e3 * median(table_seconds),
                 1e3 * median(inlined_seconds), median(ratios), table_image == inlined_image ? "equal" : "DIFFER");
+    all_equal = all_equal && table_image == inlined_image;
   }
+  return all_equal ? 0 : 1;
 }

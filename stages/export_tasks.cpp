@@ -16,8 +16,9 @@
 
 extern "C" RAYLAB_VISIBLE const raylab::ExportedTasks* RAYLAB_JOIN(raylab_tasks_, RAYLAB_IMPLEMENTATION)() {
   namespace implementation = raylab::RAYLAB_IMPLEMENTATION;
-#define RAYLAB_ROW(label, function, summary) \
-  {label, #function, typeid(implementation::function).name(), reinterpret_cast<raylab::AnyFunction>(&implementation::function)},
+#define RAYLAB_ROW(label, function, summary)                  \
+  {label, #function, typeid(implementation::function).name(), \
+   reinterpret_cast<raylab::AnyFunction>(&implementation::function)},
   static const raylab::ExportedTask tasks[] = {RAYLAB_TASKS(RAYLAB_ROW)};
 #undef RAYLAB_ROW
   static const raylab::ExportedTasks exported{raylab::contract_version, static_cast<std::uint32_t>(std::size(tasks)), tasks};

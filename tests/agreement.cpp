@@ -42,10 +42,12 @@ Rendered run(const Engine& engine, ImageSize size) {
 }
 
 double largest_deviation(const std::vector<Color>& a, const std::vector<Color>& b) {
+  REQUIRE(a.size() == b.size());
   double largest = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
     const double here = deviation(a[k], b[k]);
-    if (!(here <= largest)) largest = here;
+    if (std::isnan(here)) return here;
+    largest = std::max(largest, here);
   }
   return largest;
 }

@@ -103,7 +103,7 @@ run 1 render none.toml
 says 'none.toml'
 run 1 render bad.toml -o bad.png
 says 'bad.toml:10:10: sphere[0].radius: must be greater than 0, got -1'
-says "unknown key"
+says "bad.toml:11:1: sphere[0].colour: unknown key, did you mean 'color'?"
 says 'bad.toml: 3 mistakes'
 check 'nothing is rendered from a scene with a mistake' test ! -e bad.png
 mkfifo pipe.toml
@@ -116,6 +116,18 @@ says 'cloud.toml:9:8: sphere_cloud[0].file: cannot read pipe.toml: a pipe or a d
 sed 's/center = \[0, 1, 0\]/center = [0, 1, 1e20]/' good.toml >far.toml
 run 1 render far.toml --engine fast --precision f32
 says 'use --precision f64'
+
+run 1 render good.toml -o /proc/x.png
+says '/proc/x.png: cannot be written'
+cp good.toml own.toml
+run 2 render own.toml --stats own.toml
+run 2 render own.toml -o ./own.toml
+run 2 render own.toml -o x.png --stats ./x.png
+says 'both the image and the statistics'
+check 'no file of its own is overwritten' cmp -s own.toml good.toml
+run 1 render good.toml --size 20000x2 -o wide.jpg
+run 2 sheet good.toml --size 5000x9
+run 0 render good.toml --threads 1024
 
 # --show and the progress bar
 run 0 render good.toml --show
@@ -163,6 +175,23 @@ run 0 test shadows
 run 2 test 5.9
 says "there is no stage or task '5.9'"
 run 2 test 55
+
+# Many lights over many spheres: a single ray's shadows take long, and stop all the same
+{
+  cat good.toml
+  printf '[[sphere_cloud]]\nfile = "many.csv"\ncolor = [1, 1, 1]\n'
+  for k in {1..400}; do printf '[[point_light]]\nposition = [%d, 9, 9]\nintensity = 1\n' "$k"; done
+} >many.toml
+{ echo x,y,z,radius; seq 1 200000 | sed 's/.*/&,-9,-50,0.4/'; } >many.csv
+"$program" render many.toml --stage shadows --size 300x300 -o stopped/x.png >stdout 2>stderr &
+pid=$!
+sleep 2
+start=$(date +%s%N)
+kill -INT $pid
+wait $pid
+milliseconds=$((($(date +%s%N) - start) / 1000000))
+check "many lights: stops within 0.2 s, took $milliseconds ms" test $milliseconds -lt ${RAYLAB_STOP_LIMIT_MS:-200}
+check 'many lights: leaves no file' test -z "$(ls -A stopped)"
 
 printf '%d passed, %d failed\n' $passed $failed
 ((failed == 0))

@@ -390,3 +390,21 @@ TEST_CASE("unit: has length 1 for any length but zero, which it keeps", "[math]"
   CHECK(unit(Vec3(0)) == Vec3(0));
   CHECK(std::isnan(unit(Vec3(std::nan(""), 1, 0)).y));
 }
+
+TEST_CASE("driver: a lamp in a ceiling lights the floor without a speck", "[driver]") {
+  for (const Vec3& normal : {Vec3(0, -1, 0), Vec3(0.3, -1, 0.2)}) {
+    Scene scene;
+    scene.camera = {{0, 1, 5}, {0, -0.6, -1}, {0, 1, 0}, 30};
+    scene.planes = {{{{0, 0, 0}, {0, 1, 0}}, {Color(0.8), 0, false, 1.5}},
+                    {{{0.31, 2.7, 0.2}, normal}, {Color(0.8), 0, false, 1.5}}};
+    scene.point_lights = {{{0.31, 2.7, 0.2}, 20}};
+    const std::vector<Color> lit = render_all(scene, {3, {48, 36}, 0, {}}, 2);
+    CHECK(render_all(scene, {4, {48, 36}, 0, {}}, 2) == lit);
+  }
+}
+
+TEST_CASE("driver: more threads than the image has rows, or than the system gives, do no harm", "[driver]") {
+  Scene scene;
+  scene.background = green;
+  CHECK(render_all(scene, {2, {3, 20}, 0, {}}, 1000).size() == 60);
+}

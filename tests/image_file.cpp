@@ -67,8 +67,10 @@ TEST_CASE("image: a TIFF holds doubles, bit for bit", "[image]") {
 
 TEST_CASE("image: the same pixels give the same bytes", "[image]") {
   const TemporaryFolder folder;
-  write_image(folder / "time.tif", gradient());
-  CHECK(bytes_of(folder / "time.tif").find("1970:01:01 00:00:00") != std::string::npos);  // in place of the present time
+  for (const char* name : {"time.tif", "time.exr"}) {
+    write_image(folder / name, gradient());
+    CHECK(bytes_of(folder / name).find("1970:01:01 00:00:00") != std::string::npos);  // in place of the present time
+  }
   for (const std::string ending : {".png", ".exr", ".tif"}) {
     write_image(folder / ("a" + ending), gradient());
     write_image(folder / ("b" + ending), gradient());
@@ -113,10 +115,23 @@ TEST_CASE("image: what cannot be written says why", "[image]") {
   CHECK_THROWS_WITH(ImageWriter(folder / "a", 7, 5), ContainsSubstring("needs an ending"));
   CHECK_THROWS_WITH(ImageWriter(folder / "a.xyz", 7, 5), ContainsSubstring("'.xyz': use .png, .exr or .tif"));
   CHECK_THROWS_WITH(ImageWriter(folder / "a.txt", 7, 5), ContainsSubstring("use .png, .exr or .tif"));
+  const std::string too_long(300, 'n');
+  CHECK_THROWS_WITH(write_image(folder / (too_long + ".png"), gradient()), ContainsSubstring("cannot be written"));
   std::filesystem::create_directory(folder / "dir.png");
   CHECK_THROWS_WITH(ImageWriter(folder / "dir.png", 7, 5), ContainsSubstring("is a folder"));
   write_image(folder / "file.png", gradient());
   CHECK_THROWS_WITH(ImageWriter(folder / "file.png" / "a.png", 7, 5), ContainsSubstring("cannot make its folder"));
+}
+
+TEST_CASE("image: a name of any length that the system takes is written, and through a link its target", "[image]") {
+  const TemporaryFolder folder;
+  const std::string longest = std::string(251, 'n') + ".png";
+  write_image(folder / longest, gradient());
+  CHECK(std::filesystem::exists(folder / longest));
+  std::filesystem::create_symlink("target.png", folder / "link.png");
+  write_image(folder / "link.png", gradient());
+  CHECK(std::filesystem::is_symlink(folder / "link.png"));
+  CHECK(std::filesystem::is_regular_file(folder / "target.png"));
 }
 
 TEST_CASE("image: what cannot be read says why", "[image]") {

@@ -12,8 +12,7 @@ enum ExitCode { success = 0, failure = 1, wrong_usage = 2, interrupted = 130 };
 
 /// Ends a command with an exit code; what() is for the user.
 struct Failure : std::runtime_error {
-  explicit Failure(const std::string& what, ExitCode exit_code = failure)
-      : std::runtime_error(what), code(exit_code) {}
+  explicit Failure(const std::string& what, ExitCode exit_code = failure) : std::runtime_error(what), code(exit_code) {}
   ExitCode code;
 };
 

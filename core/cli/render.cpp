@@ -17,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace raylab::cli {
 namespace {
@@ -91,6 +92,20 @@ void open_viewer(const fs::path& path) {
     std::cerr << "raylab: the viewer '" << viewer << "' does not start\n";
 }
 
+/// No two of the files that a command names may be the same one: none is to be lost to another.
+void require_different_files(const std::vector<fs::path>& paths) {
+  for (std::size_t a = 0; a < paths.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (!paths[a].empty() && fs::weakly_canonical(fs::absolute(paths[a])) == fs::weakly_canonical(fs::absolute(paths[b])))
+        throw Failure(
+            paths[a].string() + ": is both " + (b == 0 ? "the scene and a file to write" : "the image and the statistics"),
+            wrong_usage);
+}
+
+fs::path output_of(const Render& render, const std::string& name, const std::string& stage) {
+  return render.output.empty() ? fs::path("out") / (name + "-" + stage + ".png") : fs::path(render.output);
+}
+
 void run(Render& render) {
   Stopwatch watch;
   Statistics statistics;
@@ -103,8 +118,10 @@ void run(Render& render) {
 
   const std::string name = fs::path(render.scene).stem().string();
   const std::string stage(stage_list()[static_cast<std::size_t>(settings.stage - 1)].name);
-  const fs::path output = render.output.empty() ? fs::path("out") / (name + "-" + stage + ".png") : fs::path(render.output);
+  const fs::path output = output_of(render, name, stage);
+  require_different_files({render.scene, output, render.stats});
   const auto [width, height] = settings.size;
+  interrupt_flag();  // from here on there is something to clean up
   ImageWriter writer(output, width, height);
   std::optional<Preview> preview;
   if (render.show) preview.emplace(width, height, std::min(terminal_columns() - 1, 160), 96);

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 constexpr int default_tile_width = 320;
 constexpr int columns = 4;
 constexpr int gap = 12;
+constexpr int largest_tile = 4096;  // the page is kept in memory
 constexpr int label_scale = 2;
 constexpr int label_height = label_row * label_scale + 6;
 const Color paper(0.11);
@@ -61,6 +62,9 @@ void run(const Sheet& sheet) {
   const std::string name = fs::path(sheet.scene).stem().string();
   const auto stages = stage_list();
   const ImageSize tile = sheet.options.size.empty() ? default_tile(scene) : parse_size(sheet.options.size);
+  if (std::max(tile.width, tile.height) > largest_tile)
+    throw Failure("--size: a picture on a sheet is at most " + std::to_string(largest_tile) + " pixels wide and high",
+                  wrong_usage);
   Image page = empty_sheet(static_cast<int>(stages.size()), tile);
 
   for (const StageInfo& stage : stages) {

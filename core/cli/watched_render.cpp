@@ -74,6 +74,9 @@ const std::atomic<bool>& interrupt_flag() {
   static const bool installed = [] {
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
+#ifdef SIGHUP  // the terminal was closed
+    std::signal(SIGHUP, on_interrupt);
+#endif
     return true;
   }();
   (void)installed;

@@ -66,10 +66,11 @@ struct ImageWriter::State {
   PartialFile file;
   std::unique_ptr<OIIO::ImageOutput> output;
   int height;
+  bool open = false;
   int rows_written = 0;
 
   ~State() {
-    if (output && type == OIIO::TypeDesc::UINT8) quieten_libpng();
+    if (open && type == OIIO::TypeDesc::UINT8) quieten_libpng();
   }
 
   bool write(int first_row, int rows, const void* values) {
@@ -99,13 +100,19 @@ ImageWriter::ImageWriter(const fs::path& path, int width, int height) {
     OIIO::geterror();  // its text speaks of plug-ins
     fail(path, "no image format is known for the ending '" + path.extension().string() + "': use .png, .exr or .tif");
   }
+  // Other formats keep the whole image in memory, or stop the program beyond their own limit.
+  constexpr int most_pixels_across = 16384;
+  const std::string extension = lower_extension(path);
+  if (state_->type == OIIO::TypeDesc::UINT8 && extension != ".png" && std::max(width, height) > most_pixels_across)
+    fail(path, "is written up to 16384 pixels wide and high in this format: use .png, .exr or .tif");
   OIIO::ImageSpec spec(width, height, 3, state_->type);
   spec.channelnames = {"R", "G", "B"};
   // OpenImageIO takes floats for linear light, which they are as little as the bytes: they are to be shown as they are.
   spec.attribute("oiio:ColorSpace", "sRGB");
-  // OpenImageIO would put the time into a TIFF; the same image shall be the same bytes.
-  if (state_->type == OIIO::TypeDesc::DOUBLE) spec.attribute("DateTime", "1970:01:01 00:00:00");
-  if (!state_->output->open(temporary, spec)) fail(path, "cannot be written: " + state_->output->geterror());
+  // OpenImageIO would put the time into some formats; the same image shall be the same bytes.
+  if (state_->type != OIIO::TypeDesc::UINT8) spec.attribute("DateTime", "1970:01:01 00:00:00");
+  state_->open = state_->output->open(temporary, spec);
+  if (!state_->open) fail(path, "cannot be written: " + state_->output->geterror());
 }
 
 ImageWriter::~ImageWriter() = default;

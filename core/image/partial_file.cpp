@@ -16,9 +16,10 @@ PartialFile::PartialFile(fs::path path) : path_(std::move(path)) {
   if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), error);
   if (error) throw std::runtime_error(path_.string() + ": cannot make its folder: " + error.message());
 
-  std::ostringstream name;
-  name << "." << path_.stem().string() << "." << std::hex << std::random_device{}() << ".partial"
-       << path_.extension().string();
+  if (fs::is_symlink(path_, ignored)) path_ = path_.parent_path() / fs::read_symlink(path_);
+
+  std::ostringstream name;  // not made from the file's own, which may be as long as a name can be
+  name << ".partial-" << std::hex << std::random_device{}() << path_.extension().string();
   temporary_ = path_.parent_path() / name.str();
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -62,7 +63,6 @@ class Driver {
 
   /// What is seen along a ray. The recursion: surface_color() sends further rays, each one bounce up.
   Color color(const Ray& ray, int bounce) {
-    if (cancel_.load(std::memory_order_relaxed)) throw Cancelled{};
     const std::optional<Hit> hit = first_hit(ray);
     return filtered(ray, hit, bounce, hit ? surface_color(*hit, bounce) : scene_.background);
   }
@@ -98,6 +98,7 @@ class Driver {
   /// inside, at the far side, which needs no search.
   template <class Visit>
   void ask_all(const Ray& ray, Visit visit) const {
+    if (cancel_.load(std::memory_order_relaxed)) throw Cancelled{};
     GeometryId id = 0;
     for (const PlaneObject& plane : scene_.planes) {
       if (ray.leaves.geometry != id) visit(id, table_.plane_hit(ray, plane.shape), plane.material.transparent);
@@ -154,9 +155,15 @@ class Driver {
     ++counts_.shadow;
     crossings_.clear();
     ask_all(ray, [&](GeometryId, std::optional<double> t, bool transparent) {
-      if (t) crossings_.push_back({*t, transparent});
+      if (t && !at_light(*t, distance)) crossings_.push_back({*t, transparent});
     });
     return table_.blocked(crossings_, distance);
+  }
+
+  /// Is a surface at distance t the one that the light itself lies on, a lamp in a ceiling, say? It does not block, and
+  /// rounding must not decide that anew at every pixel.
+  static bool at_light(double t, double distance) {
+    return std::isfinite(distance) && std::abs(t - distance) <= 1e-10 * std::max(1.0, distance);
   }
 
   // Stages 5 and 6: the rays that a surface sends on.

@@ -7,6 +7,7 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -24,7 +25,7 @@ class Bands {
         count_((size.height + band_rows - 1) / band_rows),
         ahead_(static_cast<int>(4 * threads)),
         cancel_(cancel) {
-    for (unsigned k = 0; k < threads; ++k) threads_.emplace_back([this] { work(); });
+    start_threads(std::min(threads, static_cast<unsigned>(count_)));
   }
 
   ~Bands() {
@@ -66,6 +67,16 @@ class Bands {
   }
 
  private:
+  /// As many threads as the system gives, one at least.
+  void start_threads(unsigned wanted) {
+    threads_.reserve(wanted);
+    try {
+      while (threads_.size() < wanted) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      if (threads_.empty()) throw;
+    }
+  }
+
   void work() {
     try {
       for (int band = next_++; band < count_; band = next_++) {

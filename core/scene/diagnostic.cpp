@@ -67,13 +67,15 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-std::string quoted(std::string_view text) {
+std::string shortened(std::string_view text) {
   constexpr std::size_t longest = 60;
-  if (text.size() <= longest) return "'" + printable(text) + "'";
+  if (text.size() <= longest) return printable(text);
   std::size_t end = longest;
   while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U && end > 0) --end;  // not within a character
-  return "'" + printable(text.substr(0, end)) + "...'";
+  return printable(text.substr(0, end)) + "...";
 }
+
+std::string quoted(std::string_view text) { return "'" + shortened(text) + "'"; }
 
 std::string to_text(double number) {
   if (std::isnan(number)) return "nan";  // to_chars would show a sign that means nothing

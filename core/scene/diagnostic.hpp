@@ -48,7 +48,10 @@ class Report {
 /// `text` fit for one line of a terminal: control characters, and bytes that are not UTF-8, as in \x1b.
 std::string printable(std::string_view text);
 
-/// The same between single quotes, and cut where it is very long.
+/// The same, cut where it is very long.
+std::string shortened(std::string_view text);
+
+/// The same between single quotes.
 std::string quoted(std::string_view text);
 
 /// The shortest decimal that reads back as `number`.

@@ -135,7 +135,7 @@ void Section::finish() const {
     if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
     const std::string_view nearest = nearest_name(entry.key, known_);
     const std::string help = nearest.empty() ? "; known keys: " + listed(known_) : ", did you mean " + quoted(nearest) + "?";
-    report_->error(entry.key_place, name_, "unknown key " + quoted(entry.key) + help);
+    report_->error(entry.key_place, path(shortened(entry.key)), "unknown key" + help);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "core/scene/read_toml.hpp"
 
 #include "core/scene/read_guard.hpp"
+#include "core/scene/utf8.hpp"
 
 #if __has_include(<toml++/toml.hpp>)
 #include <toml++/toml.hpp>
@@ -59,14 +60,15 @@ TomlValue convert(const toml::node& node) {
 struct Hint {
   std::string_view part;
   std::string_view advice;
+  bool about_number = false;  ///< toml++ then gives the place where it stopped reading the number
 };
 
 constexpr std::array hints{
-    Hint{"could not be interpreted as a value", "the largest number is 1.797e308"},
-    Hint{"not representable in 64 bits", "write so large a number with an exponent, as in 1e20, up to 1.797e308"},
-    Hint{"exceeds length limit", "17 digits are enough for any number"},
-    Hint{"too long to identify", "17 digits are enough for any number"},
-    Hint{"cannot redefine existing array", "write [[double brackets]] each time"},
+    Hint{"could not be interpreted as a value", "the largest number is 1.797e308", true},
+    Hint{"not representable in 64 bits", "write so large a number with an exponent, as in 1e20, up to 1.797e308", true},
+    Hint{"exceeds length limit", "17 digits are enough for any number", true},
+    Hint{"too long to identify", "17 digits are enough for any number", true},
+    Hint{"table header: cannot redefine existing array", "write [[double brackets]] each time"},
     Hint{"cannot redefine existing", "write it once"},
     Hint{"could not determine value type", "a text needs quotes"},
     Hint{"expected 'true'", "write true; a text needs quotes"},
@@ -75,9 +77,16 @@ constexpr std::array hints{
     Hint{"expected 'inf'", "write inf; a text needs quotes"},
 };
 
+const Hint* hint_for(std::string_view description) {
+  const auto found = std::find_if(hints.begin(), hints.end(),
+                                  [&](const Hint& hint) { return description.find(hint.part) != std::string_view::npos; });
+  return found != hints.end() ? &*found : nullptr;
+}
+
 /// toml++'s "Error while parsing string: encountered end-of-file" as "not valid TOML (string): encountered end-of-file".
 std::string readable(std::string_view description) {
   constexpr std::string_view prefix = "Error while parsing ";
+  const Hint* hint = hint_for(description);
   std::string result = "not valid TOML: ";
   if (description.substr(0, prefix.size()) == prefix) {
     const std::size_t colon = std::min(description.find(": "), description.size() - 2);
@@ -85,10 +94,18 @@ std::string readable(std::string_view description) {
     description.remove_prefix(colon + 2);
   }
   result += printable(description);
-  for (const Hint& hint : hints) {
-    if (description.find(hint.part) != std::string_view::npos) return result + "; " + std::string(hint.advice);
-  }
-  return result;
+  return hint != nullptr ? result + "; " + std::string(hint->advice) : result;
+}
+
+/// Where the number begins that ends at, or reaches over, `place`.
+Place start_of_number(std::string_view text, Place place) {
+  for (int line = 1; line < place.line; ++line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  std::size_t offset = 0;
+  for (int column = 1; column < place.column && offset < text.size(); ++column)
+    offset += std::max<std::size_t>(1, utf8_length(text.substr(offset)));
+  const std::size_t before = text.substr(0, offset).find_last_of(" \t\r\n=,[{");
+  const std::size_t start = before == std::string_view::npos ? 0 : before + 1;
+  return {place.line, place.column - static_cast<int>(offset - start)};
 }
 
 }  // namespace
@@ -103,7 +120,10 @@ std::optional<TomlTable> parse_toml(std::string_view text, Report& report) {
   try {
     return convert(toml::parse(text));
   } catch (const toml::parse_error& error) {
-    report.error(place_of(error.source()), {}, readable(error.description()));
+    const Hint* hint = hint_for(error.description());
+    const Place place = place_of(error.source());
+    report.error(hint != nullptr && hint->about_number ? start_of_number(text, place) : place, {},
+                 readable(error.description()));
     return std::nullopt;
   }
 }

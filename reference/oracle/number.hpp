@@ -69,8 +69,8 @@ T size(const Vec3<T>& a) {
 ///
 /// Rounding makes an exact zero (a light in the very plane of a blocker, a tangent ray, two surfaces that touch) into
 /// anything up to some 2^-113 of the scale, with a sign that means nothing. So whatever is smaller than three quarters of
-/// the bits can tell counts as the zero that docs/model.md speaks of. A value that is that small but not zero is seen as such by
-/// the finer type: then the two types decide differently, and a still finer one is asked.
+/// the bits can tell counts as the zero that docs/model.md speaks of. A value that is that small but not zero is seen as
+/// such by the finer type: then the two types decide differently, and a still finer one is asked.
 template <class T>
 int sign(const T& value, const T& scale) {
   static const T smallest = ldexp(T(1), -std::numeric_limits<T>::digits * 3 / 4);

@@ -6,14 +6,14 @@
 
 namespace raylab {
 
-/// The truth that all else is measured against: docs/model.md's formulas as printed, one scalar ray at a time, every geometry
-/// asked. Slow: a tenth of a millisecond to some milliseconds a pixel, where a double takes a microsecond.
+/// The truth that all else is measured against: docs/model.md's formulas as printed, one scalar ray at a time, every
+/// geometry asked. Slow: a tenth of a millisecond to some milliseconds a pixel, where a double takes a microsecond.
 ///
 /// Each pixel is computed with 113 and with 237 bits. Where the two clamped colours agree to 1e-25 in every component, the
 /// double nearest the finer one is returned. Where they do not (a sphere so far and small, or a decision between two
 /// surfaces so close, that 113 bits cannot tell), the pixel is computed with 493 bits, which must agree with 237. Where they
-/// do not either, the pixel is three quiet NaNs: never silently wrong. What is exactly tangent, tied or touching is decided
-/// as docs/model.md says: see `sign` in number.hpp.
+/// do not either, the pixel is three quiet NaNs. What is tangent, tied or touching, exactly or to within 1e-111 of its
+/// scale, is decided as docs/model.md says: see `sign` in number.hpp.
 ///
 /// `scene` is copied. Rays are counted once, not once a precision. A ray that carries no light to the pixel, its weight or
 /// the bounces left being 0, is neither traced nor counted; a shadow ray is counted for each point or directional light that

@@ -32,7 +32,7 @@ Color blinn_phong(const Vec3& l, const Vec3& n, const Vec3& v, double intensity,
   const Vec3 middle = l + v;
   if (shininess > 0 && std::isfinite(shininess) && middle != Vec3(0))
     specular = specular_weight(shininess) * specular_power(unit(middle), n, shininess);
-  return (diffuse + specular) * intensity * color;
+  return (diffuse + specular) * (intensity * color);
 }
 
 // Task 3.3: a point light's part.

@@ -3,8 +3,6 @@
 namespace raylab::RAYLAB_IMPLEMENTATION {
 
 // Task 8.1: what haze leaves of a color.
-Color depth_cue(const Seen& seen) {
-  RAYLAB_NOT_WRITTEN("8.1");
-}
+Color depth_cue(const Seen& seen) { RAYLAB_NOT_WRITTEN("8.1"); }
 
 }  // namespace raylab::RAYLAB_IMPLEMENTATION
