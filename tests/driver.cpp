@@ -1,4 +1,4 @@
-// What the driver does around the tasks, seen in the colours of whole pixels.
+// What the driver does around the tasks, seen in the colors of whole pixels.
 
 #include "core/render/render.hpp"
 #include "core/render/stages_engine.hpp"
@@ -373,12 +373,23 @@ TEST_CASE("stage table: tasks mix by stage and by label", "[driver]") {
 }
 
 TEST_CASE("stage table: every task's label has the number of its stage, in order", "[driver]") {
-  std::string last;
+  std::pair last(0, 0);
   for (const TaskInfo& task : task_list()) {
-    CHECK(stage_of(task.label) >= 1);
-    CHECK(stage_of(task.label) <= static_cast<int>(stage_list().size()));
-    CHECK(std::string(task.label) > last);
-    last = task.label;
+    const std::string label(task.label);
+    const std::pair number(stage_of(label), std::stoi(label.substr(label.find('.') + 1)));
+    CHECK(number.first <= static_cast<int>(stage_list().size()));
+    CHECK(number > last);
+    last = number;
+  }
+}
+
+TEST_CASE("driver: shadows do not depend on the size of the scene", "[driver]") {
+  for (const double scale : {1e-60, 1e-11, 1.0, 1e50}) {
+    Scene scene;
+    scene.planes = {wall(-3 * scale, Color(1))};
+    scene.spheres = {ball({0, 3 * scale, -1 * scale}, 0.5 * scale, red)};
+    scene.point_lights = {{{0, 6 * scale, 1 * scale}, 64}};
+    CHECK(look(scene, 4) == Color(0));
   }
 }
 

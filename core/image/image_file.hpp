@@ -8,7 +8,7 @@
 
 namespace raylab {
 
-/// An 8-bit value for a colour component from 0 to 1: floor(255 c + 1/2), no transfer curve (docs/model.md, D19).
+/// An 8-bit value for a color component from 0 to 1: floor(255 c + 1/2), no transfer curve (docs/model.md, D19).
 unsigned char quantise(double component);
 
 /// Writes an image file row by row. The file appears under its name whole, at finish(), or not at all.

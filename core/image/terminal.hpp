@@ -27,7 +27,7 @@ class Preview {
 
   void add_rows(int first_row, std::span<const Color> pixels);
 
-  /// The copy as text for a terminal of 24-bit colour: each character shows two pixels, one above the other. Ends in a
+  /// The copy as text for a terminal of 24-bit color: each character shows two pixels, one above the other. Ends in a
   /// line break.
   std::string half_blocks() const;
 

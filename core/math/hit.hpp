@@ -30,7 +30,7 @@ struct Crossing {
 };
 RAYLAB_FIELDS(Crossing, RAYLAB_FIELD(t) RAYLAB_FIELD(transparent))
 
-/// A ray to trace next, and how much of the colour at its end is added to the pixel.
+/// A ray to trace next, and how much of the color at its end is added to the pixel.
 struct Bounce {
   Ray ray;
   double weight = 0;  ///< 0 to 1

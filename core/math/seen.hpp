@@ -17,7 +17,7 @@ struct Seen {
 };
 RAYLAB_FIELDS(Seen, RAYLAB_FIELD(color) RAYLAB_FIELD(ray) RAYLAB_FIELD(t) RAYLAB_FIELD(background) RAYLAB_FIELD(bounce))
 
-/// A task that the driver asks once for every ray that it has followed, with what was seen along it, for the colour to use
+/// A task that the driver asks once for every ray that it has followed, with what was seen along it, for the color to use
 /// instead. Stages after the seventh join the driver in this way: each of their tasks with this type is asked, in order.
 using RayFilter = Color (*)(const Seen&);
 

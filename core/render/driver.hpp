@@ -37,7 +37,7 @@ class Driver {
                  : has(ssaa) ? table.sample_positions()
                              : sample_offsets(AntiAliasing::none)) {}
 
-  /// The final colour of the pixel in column i from the left and row j from the top.
+  /// The final color of the pixel in column i from the left and row j from the top.
   Color pixel(int i, int j) {
     samples_.clear();
     for (const SampleOffset& offset : offsets_) samples_.push_back(sample(i, j, offset));
@@ -155,15 +155,15 @@ class Driver {
     ++counts_.shadow;
     crossings_.clear();
     ask_all(ray, [&](GeometryId, std::optional<double> t, bool transparent) {
-      if (t && !at_light(*t, distance)) crossings_.push_back({*t, transparent});
+      if (t && !at_light(*t, distance, hit.point)) crossings_.push_back({*t, transparent});
     });
     return table_.blocked(crossings_, distance);
   }
 
   /// Is a surface at distance t the one that the light itself lies on, a lamp in a ceiling, say? It does not block, and
   /// rounding must not decide that anew at every pixel.
-  static bool at_light(double t, double distance) {
-    return std::isfinite(distance) && std::abs(t - distance) <= 1e-10 * std::max(1.0, distance);
+  static bool at_light(double t, double distance, const Vec3& point) {
+    return std::isfinite(distance) && std::abs(t - distance) <= 1e-12 * (length(point) + distance);
   }
 
   // Stages 5 and 6: the rays that a surface sends on.

@@ -28,7 +28,7 @@ struct SphereObject {
   Material material;
 };
 
-/// Many opaque spheres that share one material; with a table of colours each has its own instead of `material.color`.
+/// Many opaque spheres that share one material; with a table of colors each has its own instead of `material.color`.
 struct SphereCloud {
   std::vector<Sphere> spheres;
   std::vector<Color> colors;  ///< empty, or one for each sphere

@@ -19,13 +19,13 @@ T highlight(const Vec3<T>& l, const Vec3<T>& n, const Vec3<T>& v, T alpha) {
   return one_minus_cosine < 1 ? std::exp(alpha * std::log1p(-one_minus_cosine)) : T(0);
 }
 
-/// What a light in direction `l` with `cosine` = l.n > 0 gives, before its strength and the surface's colour.
+/// What a light in direction `l` with `cosine` = l.n > 0 gives, before its strength and the surface's color.
 template <class T>
 T blinn_phong(const Vec3<T>& l, T cosine, const Vec3<T>& n, const Vec3<T>& v, const Finish<T>& finish) {
   return finish.highlight > 0 ? cosine + finish.highlight * highlight(l, n, v, finish.alpha) : cosine;
 }
 
-/// `light` on a surface of colour `color`. Light beyond the largest number is infinite, but black stays black.
+/// `light` on a surface of color `color`. Light beyond the largest number is infinite, but black stays black.
 template <class T>
 Vec3<T> tinted(T light, const Vec3<T>& color) {
   const auto part = [light](T c) { return c > 0 ? light * c : T(0); };

@@ -49,7 +49,7 @@ class Tracer {
   }
 
  private:
-  /// A ray to be traced, and how much of its colour reaches the pixel.
+  /// A ray to be traced, and how much of its color reaches the pixel.
   struct Waiting {
     Ray<T> ray;
     T weight;
@@ -66,7 +66,7 @@ class Tracer {
     return color({camera.position, d, {}});
   }
 
-  /// The colour at the end of a primary ray. Glass splits a ray in two: those to come wait on a stack, which never holds
+  /// The color at the end of a primary ray. Glass splits a ray in two: those to come wait on a stack, which never holds
   /// more than one ray for each bounce.
   Vec3<T> color(const Ray<T>& primary_ray) {
     Vec3<T> sum;
@@ -79,7 +79,7 @@ class Tracer {
     return sum;
   }
 
-  /// The colour that the nearest surface itself sends back; the rays that it sends on are added to those that wait.
+  /// The color that the nearest surface itself sends back; the rays that it sends on are added to those that wait.
   Vec3<T> surface_color(const Waiting& from) {
     if (cancel_.load(std::memory_order_relaxed)) throw Cancelled{};
     const Hit<T> hit = nearest(from.ray);
@@ -155,7 +155,7 @@ class Tracer {
 
   // ---- Light --------------------------------------------------------------------------------------------------------
 
-  /// All the light that a surface sends back against `d`, but for the surface's colour.
+  /// All the light that a surface sends back against `d`, but for the surface's color.
   T light_on(const Hit<T>& hit, const Vec3<T>& d, const Finish<T>& finish) {
     T sum = scene_.ambient;
     for (const PreparedPointLight<T>& light : scene_.point_lights) {

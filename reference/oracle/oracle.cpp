@@ -163,7 +163,7 @@ class Tracer {
     return sum * Vec3<T>(*object_of(hit).color);
   }
 
-  /// The part of a light in direction L that the surface sends back, before the light's strength and the surface's colour.
+  /// The part of a light in direction L that the surface sends back, before the light's strength and the surface's color.
   T from_light(const Ray<T>& ray, const Hit<T>& hit, const Vec3<T>& L, const std::optional<T>& distance) {
     if (sign(dot(L, hit.normal), T(1)) <= 0) return T(0);  // D9
     if (world_.settings.stage >= 4 && blocked(hit, L, distance)) return T(0);
@@ -191,7 +191,7 @@ class Tracer {
     return {hit.point, reflect(ray.direction, hit.normal), {hit.geometry, hit.side}};
   }
 
-  /// The colour at the end of a ray that comes of the ray of bounce number `bounce` (D14).
+  /// The color at the end of a ray that comes of the ray of bounce number `bounce` (D14).
   Vec3<T> bounced(const Ray<T>& ray, int bounce, std::uint64_t& count) {
     if (bounce + 1 > world_.settings.max_bounces) return {};
     ++count;
@@ -200,7 +200,7 @@ class Tracer {
 
   // 6 Refraction
 
-  /// R times the reflected colour and 1 - R times the refracted one, met from outside or from inside (D17).
+  /// R times the reflected color and 1 - R times the refracted one, met from outside or from inside (D17).
   Vec3<T> glass(const Ray<T>& ray, const Hit<T>& hit, int bounce) {
     const T n(object_of(hit).material->refractive_index);
     const bool outside = hit.side == Side::outwards;
@@ -236,7 +236,7 @@ class Tracer {
 
 // ---- Output ---------------------------------------------------------------------------------------------------------
 
-/// Do both colours say the same, to 1e-25? They are clamped already: what lies beyond white need not be known to as many
+/// Do both colors say the same, to 1e-25? They are clamped already: what lies beyond white need not be known to as many
 /// places.
 template <class T, class Finer>
 bool agree(const Vec3<T>& coarse, const Vec3<Finer>& fine) {

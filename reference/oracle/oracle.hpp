@@ -9,7 +9,7 @@ namespace raylab {
 /// The truth that all else is measured against: docs/model.md's formulas as printed, one scalar ray at a time, every
 /// geometry asked. Slow: a tenth of a millisecond to some milliseconds a pixel, where a double takes a microsecond.
 ///
-/// Each pixel is computed with 113 and with 237 bits. Where the two clamped colours agree to 1e-25 in every component, the
+/// Each pixel is computed with 113 and with 237 bits. Where the two clamped colors agree to 1e-25 in every component, the
 /// double nearest the finer one is returned. Where they do not (a sphere so far and small, or a decision between two
 /// surfaces so close, that 113 bits cannot tell), the pixel is computed with 493 bits, which must agree with 237. Where they
 /// do not either, the pixel is three quiet NaNs. What is tangent, tied or touching, exactly or to within 1e-111 of its

@@ -9,7 +9,7 @@ std::vector<SampleOffset> sample_positions() {
   return {{+1. / 8, +3. / 8}, {+3. / 8, -1. / 8}, {-1. / 8, -3. / 8}, {-3. / 8, +1. / 8}};
 }
 
-// Task 7.2: from samples to the pixel's colour.
+// Task 7.2: from samples to the pixel's color.
 Color resolve(std::span<const Color> samples) {
   Color sum(0);
   for (const Color& sample : samples) sum += sample;

@@ -20,15 +20,15 @@ double specular_weight(double shininess);
 /// infinite shininess. Not clamped. Handout section 4, equation 3, with the k_s of section 4.1.
 Color blinn_phong(const Vec3& l, const Vec3& n, const Vec3& v, double intensity, const Color& color, double shininess);
 
-/// Task 3.3: a point light's part in the colour at `point`, with unit normal `n` and unit vector `v` to the viewer.
+/// Task 3.3: a point light's part in the color at `point`, with unit normal `n` and unit vector `v` to the viewer.
 /// Its intensity is I / (1 + r)^2 at distance r. Black where the light is at `point` itself. Handout sections 1 and 4.1.
 Color point_light(const PointLight& light, const Vec3& point, const Vec3& n, const Vec3& v, const Material& material);
 
-/// Task 3.4: a directional light's part in the colour at a point with unit normal `n` and unit vector `v` to the viewer.
+/// Task 3.4: a directional light's part in the color at a point with unit normal `n` and unit vector `v` to the viewer.
 /// The light's direction may have any non-zero length. Handout sections 1 and 4.
 Color directional_light(const DirectionalLight& light, const Vec3& n, const Vec3& v, const Material& material);
 
-/// Task 3.5: an ambient light's part in the colour of any point of this material: I C. Handout sections 1 and 4.1.
+/// Task 3.5: an ambient light's part in the color of any point of this material: I C. Handout sections 1 and 4.1.
 Color ambient_light(const AmbientLight& light, const Material& material);
 
 /// Task 3.6: the sum of all lights' parts; black if there are none. Not clamped. Handout section 4.1.

@@ -13,7 +13,7 @@ namespace raylab::RAYLAB_IMPLEMENTATION {
 /// In pixels from the centre, y up. Handout section 2.1, figure 4.
 std::vector<SampleOffset> sample_positions();
 
-/// Task 7.2: the pixel's final colour: the mean of its samples, clamped once to 0..1 in each component.
+/// Task 7.2: the pixel's final color: the mean of its samples, clamped once to 0..1 in each component.
 /// samples: at least one, not clamped. A component that is not a number must stay so: it is reported, never hidden.
 /// Handout sections 2.1 and 8.
 Color resolve(std::span<const Color> samples);
@@ -22,4 +22,4 @@ Color resolve(std::span<const Color> samples);
 
 #define RAYLAB_TASKS_07_SSAA(TASK)                             \
   TASK("7.1", sample_positions, "where a pixel's samples lie") \
-  TASK("7.2", resolve, "from samples to the pixel's colour")
+  TASK("7.2", resolve, "from samples to the pixel's color")

@@ -10,7 +10,7 @@ std::vector<SampleOffset> sample_positions() {
   RAYLAB_NOT_WRITTEN("7.1");
 }
 
-// Task 7.2: from samples to the pixel's colour.
+// Task 7.2: from samples to the pixel's color.
 Color resolve(std::span<const Color> samples) {
   RAYLAB_NOT_WRITTEN("7.2");
 }

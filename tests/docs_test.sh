@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Every relative link in the project's pages leads somewhere, and docs/driver.md quotes the driver as it is.
+#   tests/docs_test.sh SOURCE_FOLDER
+set -euo pipefail
+cd "$1"
+passed=0 failed=0
+check() {
+  local what=$1; shift
+  if "$@"; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf 'FAILED: %s\n' "$what"
+  fi
+}
+
+while IFS=: read -r page link; do
+  [[ $link == *:* || $link == '#'* ]] && continue
+  check "$page links to $link" test -e "$(dirname "$page")/${link%%#*}"
+done < <(find . -name '*.md' -not -path './build/*' -exec grep -oHE '\]\([^) ]+\)' {} + | sed 's/](\(.*\))$/\1/')
+
+while IFS= read -r line; do
+  check "docs/driver.md quotes: $line" grep -qF -- "$line" core/render/driver.hpp
+done < <(awk '/^```/ {code = /^```cpp/; next} code && NF' docs/driver.md | sed 's/^ *//')
+
+printf '%d passed, %d failed\n' $passed $failed
+((failed == 0 && passed > 0))
