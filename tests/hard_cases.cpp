@@ -436,8 +436,8 @@ void elsewhere(const Case&) {}
 
 const std::map<std::string, std::function<void(const Case&)>> tests = {
     {"camera_dir", camera_dir},
-    {"pixel_offsets", elsewhere},       // driver.cpp: "pixels have the handout's coordinates"
-    {"pixel_offset_exact", elsewhere},  // scene_reader.cpp: an image is at most 65536 wide
+    {"pixel_offsets", elsewhere},  // driver.cpp: "pixels have the handout's coordinates"
+    {"pixel_offset_exact", [](const Case&) { CHECK(refused("[image]\nwidth = 33554433\n")); }},  // 65536 at most
     {"accumulate", accumulate},
     {"tan", half_right_angle},
     {"segment_plane", plane},
@@ -450,7 +450,7 @@ const std::map<std::string, std::function<void(const Case&)>> tests = {
     {"ks_spec", weight},
     {"pow", power},
     {"ks", weight},
-    {"product", elsewhere},  // scene_reader.cpp: an intensity is finite
+    {"product", [](const Case&) { CHECK(refused("[[ambient_light]]\nintensity = inf\n")); }},
     {"blinn_phong", [](const Case& c) { c.id() == "B01" ? light_at_point(c) : lit_plane_from_behind(c); }},
     {"normalize", direction_of_light},
     {"attenuation", attenuation},
