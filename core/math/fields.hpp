@@ -1,8 +1,7 @@
 #pragma once
 
-#include <type_traits>
-
-/// The one list of a plain struct's fields, written once below the struct: printing, comparing and recording all use it.
+/// The one list of a plain struct's fields, written once below the struct, for whatever prints, compares or records
+/// calls of tasks.
 ///
 ///     struct Sphere { Vec3 center; double radius; };
 ///     RAYLAB_FIELDS(Sphere, RAYLAB_FIELD(center) RAYLAB_FIELD(radius))
