@@ -165,7 +165,7 @@ run 0 stages
 prints '5.1  reflect'
 run 0 --help
 prints 'raylab render scenes/scene5.toml'
-for command in render sheet check-scene test; do
+for command in render sheet check-scene test diff reference; do
   run 0 $command --help
   prints 'Example'
 done
@@ -175,6 +175,101 @@ run 0 test shadows
 run 2 test 5.9
 says "there is no stage or task '5.9'"
 run 2 test 55
+
+# diff: verdicts, exit codes, output
+run 0 render "$scenes/scene3.toml" --stage 5 --size 160x120 -o mine.exr
+run 0 diff mine.exr --scene scene3 --stage reflections
+prints 'same: mine.exr and scene3 at stage 5, reflections'
+run 0 render "$scenes/scene3.toml" --stage 4 --size 160x120 -o behind.png
+run 1 diff behind.png --scene "$scenes/scene3.toml" --stage 5
+prints 'This is what stage 4, shadows, gives: one stage behind.'
+silent
+run 0 diff behind.png --scene scene3 --stage 4
+run 0 render "$scenes/scene3.toml" --stage 5 --size 160x120 --max-bounces 7 -o bounces.png
+run 1 diff bounces.png --scene scene3 --stage 5 --json
+prints '"verdict": "differs"'
+run 0 diff mine.exr mine.exr
+run 1 diff mine.exr behind.png --out deep/diff
+prints 'deep/diff/index.html'
+for file in index.html heat.png side-by-side.png diff.json; do check "diff --out writes $file" test -s "deep/diff/$file"; done
+run 0 render "$scenes/scene1.toml" --stage 6 --size 160x120 -o glassless.png
+run 0 diff glassless.png --scene scene1 --stage 6
+prints 'nothing has changed since stage 5, reflections'
+
+# diff: what cannot be compared
+run 0 render "$scenes/scene3.toml" --stage 5 --size 64x48 -o small.png
+run 2 diff small.png --scene scene3 --stage 5
+says 'small.png: is 64x48 pixels, and scene3 at stage 5, reflections is 160x120: render it again with --size 160x120'
+run 2 diff none.png --scene scene3
+says 'none.png'
+run 2 diff mine.exr --scene scene9
+says "there are no references of a scene 'scene9'"
+run 2 diff mine.exr --scene scene3 --stage fog
+run 2 diff mine.exr
+says 'name a reference image, or a scene with --scene'
+run 2 diff mine.exr behind.png --scene scene3
+run 2 diff mine.exr behind.png --stage 3
+ln -s mine.exr link.exr
+run 2 diff link.exr --scene scene3
+says 'link.exr: is a link'
+mkfifo pipe.png
+run 2 diff pipe.png --scene scene3
+head -c 9000 mine.exr >cut.exr
+run 2 diff cut.exr --scene scene3
+says 'cut.exr'
+run 2 diff . --scene scene3
+
+run 2 diff deep/diff/heat.png mine.exr --out deep/diff
+check 'what is compared is not overwritten' grep -q 'deep/diff/heat.png: would be overwritten' stderr
+run 2 diff mine.exr behind.png --out good.toml
+run 0 diff "$scenes/../reference/renders/05_reflections/scene3.exr" --scene scene3 --stage 5
+
+# reference: in an installation of its own, with two small scenes
+run 2 reference
+says 'say either --update or --check'
+run 2 reference --check scene9
+mkdir -p own/bin own/share/raylab/{docs,scenes/more}
+cp "$program" own/bin/raylab
+echo 'the model' >own/share/raylab/docs/model.md
+sed 's/width = 33/width = 160/; s/height = 21/height = 2/' good.toml >own/share/raylab/scenes/one.toml
+cp own/share/raylab/scenes/one.toml own/share/raylab/scenes/more/two.toml
+renders=own/share/raylab/reference/renders
+own() { program=$PWD/own/bin/raylab run "$@"; }
+own 1 reference --check
+says 'there is no manifest of the references'
+own 0 reference --update
+prints '8 references rendered, 8 in all'
+own 0 reference --update
+prints '0 references rendered, 8 in all'
+own 0 reference --check
+prints '8 references hold'
+own 0 reference --check --all
+rm $renders/01_rays/one.png
+own 1 reference --check
+says '01_rays/one.png: is missing, though the manifest lists it'
+own 0 reference --update
+prints '1 references rendered, 8 in all'
+own 0 reference --check
+echo 'another model' >own/share/raylab/docs/model.md
+own 0 reference --update two
+own 1 reference --check
+says 'model.md: has changed since its references were rendered'
+own 0 reference --update
+prints '4 references rendered, 8 in all'
+own 0 reference --check
+sed -i 's/"sha1": "/"sha1": "0/' $renders/manifest.json
+own 1 reference --check
+own 0 reference --update --all
+rm own/share/raylab/scenes/more/two.toml
+own 0 reference --update
+check 'the renders of a scene that is gone are removed' test ! -e $renders/01_rays/two.exr
+cp $renders/01_rays/one.exr $renders/02_intersections/one.exr
+own 1 reference --check
+says '02_intersections/one.exr: is not the file that the manifest lists'
+sed -i 's/radius = 1/radius = 2/' own/share/raylab/scenes/one.toml
+own 0 render own/share/raylab/scenes/one.toml --size 160x2 -o own.exr
+own 2 diff own.exr --scene one
+says 'one.toml: has changed since its references were rendered'
 
 # Many lights over many spheres: a single ray's shadows take long, and stop all the same
 {

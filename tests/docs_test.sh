@@ -17,7 +17,7 @@ check() {
 while IFS=: read -r page link; do
   [[ $link == *:* || $link == '#'* ]] && continue
   check "$page links to $link" test -e "$(dirname "$page")/${link%%#*}"
-done < <(find . -name '*.md' -not -path './build/*' -exec grep -oHE '\]\([^) ]+\)' {} + | sed 's/](\(.*\))$/\1/')
+done < <(find . -name '*.md' -not -path './build/*' -not -path '*/node_modules/*' -exec grep -oHE '\]\([^) ]+\)' {} + | sed 's/](\(.*\))$/\1/')
 
 while IFS= read -r line; do
   check "docs/driver.md quotes: $line" grep -qF -- "$line" core/render/driver.hpp

@@ -1,6 +1,7 @@
 // The numerically hard cases of tests/data/hard_cases.json on the table under test. Each case has inputs that are exact
 // doubles, an answer of 25 digits and a tolerance class; `meta` in that file explains them.
 
+#include "core/image/data_folder.hpp"
 #include "core/scene/read_scene.hpp"
 #include "tests/support.hpp"
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Who may include what: the one-way rule math <- scene <- image <- render <- cli, and each library's one user.
+# Who may include what: the one-way rule math <- scene <- image <- render <- references <- report <- cli, and each library's one user.
 #   tests/include_rule.sh SOURCE_FOLDER
 set -euo pipefail
 cd "$1"
@@ -35,6 +35,8 @@ rule 'core/math/*.hpp' core/math/
 rule 'core/scene/*' core/math/ core/scene/
 rule 'core/image/*' core/math/ core/scene/ core/image/
 rule 'core/render/*' core/math/ core/scene/ core/image/ core/render/ stages/stages.hpp
+rule 'core/references/*' core/math/ core/scene/ core/image/ core/render/ core/references/
+rule 'core/report/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/references/ core/report/
 rule 'core/cli/*.?pp' core/ 'reference/(engine/engine|oracle/oracle).hpp' tests/runner.hpp
 rule 'stages/*/*.?pp' core/math/ 'stages/[0-9][0-9]_'
 rule 'stages/export_tasks.cpp' core/math/ stages/stages.hpp
@@ -48,7 +50,7 @@ only OpenImageIO '^core/image/'
 only CLI/ '^core/cli/'
 only boost/ '^reference/oracle/'
 only glm '^(core/math|reference/solution|stages)/'
-only nlohmann '^(core/cli|tests)/'
+only nlohmann '^(core/(cli|references|report)|tests)/'
 only catch2 '^tests/'
 only '(sys/|unistd|linux/|windows|fcntl)' '^nobody$'  # no file knows which system it is on
 

@@ -15,7 +15,6 @@ namespace fs = std::filesystem;
 namespace {
 
 StageTable table_under_test;
-fs::path called_as;
 Totals totals;
 
 #if __has_include(<catch2/catch_all.hpp>)
@@ -34,23 +33,11 @@ struct TotalsListener : ListenerBase {
 };
 CATCH_REGISTER_LISTENER(TotalsListener)
 
-/// Where the running program lies: the folder that it was called by, or the first one in PATH that has it.
-fs::path folder_of_program() {
-  if (called_as.has_parent_path()) return fs::weakly_canonical(called_as).parent_path();
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (fs::exists(fs::path(folder) / called_as)) return fs::weakly_canonical(fs::path(folder) / called_as).parent_path();
-  return {};
-}
-
 }  // namespace
 
-Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& program,
-                 const std::filesystem::path& report) {
+Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report) {
   static Catch::Session session;
   table_under_test = table;
-  called_as = program;
   totals = {};
 
   std::vector<std::string> arguments{"raylab test"};
@@ -66,10 +53,5 @@ Totals run_tests(const std::string& selection, const StageTable& table, const st
 }
 
 const StageTable& table() { return table_under_test; }
-
-std::filesystem::path data_folder(const std::string& name) {
-  const fs::path installed = folder_of_program() / RAYLAB_DATA_FROM_PROGRAM / name;
-  return fs::exists(installed) ? installed : fs::path(RAYLAB_SOURCE_FOLDER) / name;
-}
 
 }  // namespace raylab::test

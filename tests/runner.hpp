@@ -14,15 +14,10 @@ struct Totals {
   std::size_t failed = 0;
 };
 
-/// Runs the tests that a Catch2 selection like "[stage5]" or "[5.1]" names, all for an empty one, on `table`. `program` is
-/// the path by which this program was called. The report goes to `report`, or to standard output if that is empty.
-Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& program,
-                 const std::filesystem::path& report = {});
+/// Runs the tests that a Catch2 selection like "[stage5]" or "[5.1]" names, all for an empty one, on `table`. The report goes
+/// to `report`, or to standard output if that is empty.
+Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report = {});
 
 /// The table that the running tests judge.
 const StageTable& table();
-
-/// A folder of the project's data, "scenes" or "tests/data", wherever this copy of raylab keeps it.
-std::filesystem::path data_folder(const std::string& name);
-
 }  // namespace raylab::test

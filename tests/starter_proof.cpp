@@ -18,9 +18,8 @@ namespace {
 std::string tag(std::string_view label) { return "[" + std::string(label) + "]"; }
 
 /// Every test of the task must fail, and say which task is missing, and where.
-bool fails_its_own(const TaskInfo& task, const StageTable& table, const std::string& program,
-                   const std::filesystem::path& report) {
-  const test::Totals totals = test::run_tests(tag(task.label), table, program, report);
+bool fails_its_own(const TaskInfo& task, const StageTable& table, const std::filesystem::path& report) {
+  const test::Totals totals = test::run_tests(tag(task.label), table, report);
   const std::string folder(stage_list()[static_cast<std::size_t>(stage_of(task.label) - 1)].folder);
   const std::string message = "task " + std::string(task.label) + " is not written yet: stages/" + folder + "/starter.cpp:";
   return totals.passed == 0 && totals.failed > 0 && test::bytes_of(report).find(message) != std::string::npos;
@@ -28,7 +27,7 @@ bool fails_its_own(const TaskInfo& task, const StageTable& table, const std::str
 
 }  // namespace
 
-int main(int, char** argv) {
+int main() {
   const StageTable solution = import_tasks(*raylab_tasks_solution());
   const StageTable starter = import_tasks(*raylab_tasks_starter());
   const test::TemporaryFolder folder;
@@ -42,15 +41,14 @@ int main(int, char** argv) {
     const std::string label(task.label);
     StageTable table = solution;
     mix(table, starter, task.label);
-    check(fails_its_own(task, table, argv[0], folder / "report"),
-          "the starter of " + label + " fails all tests of " + label);
+    check(fails_its_own(task, table, folder / "report"), "the starter of " + label + " fails all tests of " + label);
     std::string earlier;
     for (const TaskInfo& other : task_list()) {
       if (other.label == task.label) break;
       earlier += (earlier.empty() ? "" : ",") + tag(other.label);
     }
     if (earlier.empty()) continue;
-    const test::Totals before = test::run_tests(earlier, table, argv[0], folder / "report");
+    const test::Totals before = test::run_tests(earlier, table, folder / "report");
     check(before.failed == 0 && before.passed > 0, "the starter of " + label + " fails no earlier task's test");
   }
   std::cout << passed << " passed, " << failed << " failed\n";

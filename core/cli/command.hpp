@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <stdexcept>
 
 namespace raylab::cli {
@@ -23,6 +22,8 @@ void add_render(CLI::App& app);
 void add_sheet(CLI::App& app);
 void add_check_scene(CLI::App& app);
 void add_stages(CLI::App& app);
-void add_test(CLI::App& app, const std::filesystem::path& program);
+void add_test(CLI::App& app);
+void add_diff(CLI::App& app);
+void add_reference(CLI::App& app);
 
 }  // namespace raylab::cli

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
       "  raylab render scenes/scene5.toml --stage shadows     what stage 4 makes of it\n"
       "  raylab sheet scenes/scene5.toml                      all stages side by side\n"
       "  raylab test 5                                        the tests of stage 5\n"
+      "  raylab diff mine.exr --scene scene3 --stage 5        what is wrong with a picture\n"
       "  raylab COMMAND --help                                more about a command",
       "raylab");
   app.set_version_flag("--version", RAYLAB_VERSION);
@@ -22,11 +23,15 @@ int main(int argc, char** argv) {
   add_sheet(app);
   add_check_scene(app);
   add_stages(app);
-  add_test(app, argv[0]);
+  add_diff(app);
+  add_test(app);
+  add_reference(app);
 
   try {
     app.parse(argc, argv);
     return success;
+  } catch (const CLI::RuntimeError& verdict) {
+    return verdict.get_exit_code();
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? success : wrong_usage;
   } catch (const raylab::Cancelled&) {

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -74,12 +73,7 @@ void write_stats(const Render& render, const Settings& settings, const Statistic
                                          {"refracted", totals.rays.refracted}}},
                                        {"non_finite_pixels", totals.non_finite_pixels},
                                        {"peak_memory_bytes", statistics.peak_memory}};
-  PartialFile file(render.stats);
-  std::ofstream stream(file.temporary());
-  stream << json.dump(2) << '\n';
-  stream.close();
-  if (!stream) throw Failure(render.stats + ": cannot be written");
-  file.commit();
+  write_file(render.stats, [&](std::ostream& stream) { stream << json.dump(2) << '\n'; });
 }
 
 /// Opens `path` in the viewer that the launcher found for this system, if there is a display.

@@ -1,10 +1,12 @@
 #include "core/image/image_file.hpp"
 
+#include "core/image/open_image.hpp"
 #include "core/image/partial_file.hpp"
 
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace raylab {
@@ -49,6 +52,44 @@ std::vector<T> components(std::span<const Color> pixels) {
         values.push_back(static_cast<T>(pixel[channel]));
     }
   return values;
+}
+
+/// Where in a pixel its R, G and B stand.
+std::array<std::size_t, 3> channel_places(const fs::path& path, const OIIO::ImageSpec& spec) {
+  if (spec.nchannels != 3) {
+    const std::string advice = spec.nchannels < 3 ? "save it in color" : "save it without alpha or other channels";
+    refuse_image(path, "has " + std::to_string(spec.nchannels) + (spec.nchannels == 1 ? " channel" : " channels") +
+                           ", wanted 3 (R, G, B): " + advice);
+  }
+  constexpr int rgb = 2;  // of TIFF's tag; any other is a palette or needs a conversion
+  if (spec.get_int_attribute("tiff:PhotometricInterpretation", rgb) != rgb)
+    refuse_image(path, "stores its colors as other than R, G, B, by a palette, say: save it as RGB");
+  const std::vector<std::string>& names = spec.channelnames;
+  std::array<std::size_t, 3> places{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto found = std::find(names.begin(), names.end(), std::string(1, "RGB"[c]));
+    if (found == names.end())
+      refuse_image(path, "has the channels " + names[0] + ", " + names[1] + ", " + names[2] + ": name them R, G, B");
+    places[c] = static_cast<std::size_t>(found - names.begin());
+  }
+  return places;
+}
+
+NumberFormat number_format(const fs::path& path, const OIIO::ImageSpec& spec) {
+  static constexpr std::array<std::pair<OIIO::TypeDesc::BASETYPE, NumberFormat>, 5> formats{{
+      {OIIO::TypeDesc::UINT8, NumberFormat::uint8},
+      {OIIO::TypeDesc::UINT16, NumberFormat::uint16},
+      {OIIO::TypeDesc::HALF, NumberFormat::float16},
+      {OIIO::TypeDesc::FLOAT, NumberFormat::float32},
+      {OIIO::TypeDesc::DOUBLE, NumberFormat::float64},
+  }};
+  const OIIO::TypeDesc type = spec.format;
+  if (!spec.channelformats.empty()) refuse_image(path, "has channels of different number types: save it with one type");
+  const int bits = spec.get_int_attribute("oiio:BitsPerSample", 0);
+  for (const auto& [base, format] : formats)
+    if (type == base && (bits == 0 || bits == static_cast<int>(8 * type.size()))) return format;
+  const std::string stored = bits > 0 ? std::to_string(bits) + "-bit " + type.c_str() : type.c_str();
+  refuse_image(path, "stores " + stored + " numbers: save it with 8 or 16 bits, or floats of 16, 32 or 64");
 }
 
 }  // namespace
@@ -137,17 +178,20 @@ void write_image(const fs::path& path, const Image& image) {
   writer.finish();
 }
 
-Image read_image(const fs::path& path) {
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
-  if (!input) fail(path, OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.nchannels != 3) fail(path, "has " + std::to_string(spec.nchannels) + " channels, wanted 3");
-  Image image(spec.width, spec.height);
-  std::vector<double> values(3 * image.pixels.size());
-  if (!input->read_image(0, 0, 0, 3, OIIO::TypeDesc::DOUBLE, values.data())) fail(path, input->geterror());
+ImageFile read_image(const fs::path& path) {
+  const std::unique_ptr<OIIO::ImageInput> input = open_image(path);
+  const std::array<std::size_t, 3> places = channel_places(path, input->spec());
+  const NumberFormat format = number_format(path, input->spec());
+  const std::vector<double> numbers = read_numbers(*input, path);
+  Image image(input->spec().width, input->spec().height);
   for (std::size_t k = 0; k < image.pixels.size(); ++k)
-    image.pixels[k] = Color(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
-  return image;
+    image.pixels[k] = Color(numbers[3 * k + places[0]], numbers[3 * k + places[1]], numbers[3 * k + places[2]]);
+  return {std::move(image), format};
+}
+
+ImageSize image_size(const fs::path& path) {
+  const std::unique_ptr<OIIO::ImageInput> input = open_image(path);
+  return {input->spec().width, input->spec().height};
 }
 
 }  // namespace raylab

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/image/image.hpp"
+#include "core/image/number_format.hpp"
+#include "core/scene/scene.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -38,7 +40,18 @@ class ImageWriter {
 /// Writes a whole image, as ImageWriter does.
 void write_image(const std::filesystem::path& path, const Image& image);
 
-/// Reads an image of three channels, as numbers from 0 to 1. Throws std::runtime_error with the reason if that fails.
-Image read_image(const std::filesystem::path& path);
+/// An image from a file, and how the file stores its components.
+struct ImageFile {
+  Image image;
+  NumberFormat format = NumberFormat::uint8;
+};
+
+/// Reads an image of the channels R, G, B from any file, vetted or not. The numbers are as stored, with no transfer curve
+/// taken off or put on (docs/model.md, D19): whole numbers as fractions of the largest, floats as they are, finite or not.
+/// Throws std::runtime_error, "PATH: what is wrong: what to do", if that cannot be done in full; it never waits.
+ImageFile read_image(const std::filesystem::path& path);
+
+/// The size that such a file's header tells, with no pixel decoded. Throws as read_image() does.
+ImageSize image_size(const std::filesystem::path& path);
 
 }  // namespace raylab

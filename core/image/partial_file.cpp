@@ -1,5 +1,6 @@
 #include "core/image/partial_file.hpp"
 
+#include <fstream>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -32,6 +33,15 @@ void PartialFile::commit() {
   std::error_code error;
   fs::rename(temporary_, path_, error);
   if (error) throw std::runtime_error(path_.string() + ": cannot be written: " + error.message());
+}
+
+void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
+  PartialFile file(path);
+  std::ofstream stream(file.temporary(), std::ios::binary);
+  write(stream);
+  stream.close();
+  if (!stream) throw std::runtime_error(path.string() + ": cannot be written");
+  file.commit();
 }
 
 }  // namespace raylab

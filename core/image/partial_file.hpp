@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 
 namespace raylab {
 
@@ -24,5 +26,9 @@ class PartialFile {
   std::filesystem::path path_;
   std::filesystem::path temporary_;
 };
+
+/// Writes a file that appears whole or not at all. Throws std::runtime_error if it cannot be written, and what `write`
+/// throws.
+void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace raylab

@@ -17,6 +17,9 @@ using Vec3 = glm::dvec3;
 /// Red, green and blue, each 0 for none; 1 is the brightest that an image shows. Not clamped until a pixel is finished.
 using Color = glm::dvec3;
 
+/// Is every component a finite number?
+inline bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
 /// `v` times the power of two that brings its largest component to 1..2: the same direction to the last bit, with squares
 /// that neither vanish nor overflow. Zero, and what is no number, stays as it is.
 inline Vec3 scaled(const Vec3& v) {

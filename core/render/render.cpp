@@ -133,8 +133,6 @@ class Bands {
   std::vector<std::thread> threads_;
 };
 
-bool finite(const Color& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
-
 }  // namespace
 
 RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, const RowSink& sink, const Progress& progress,
@@ -143,13 +141,24 @@ RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, cons
   Bands bands(engine, size, std::max(1u, threads), cancel);
   for (int band = 0; band < bands.count(); ++band) {
     const std::vector<Color> pixels = bands.take(band, [&] { progress(bands.done()); });
-    totals.non_finite_pixels +=
-        static_cast<std::uint64_t>(std::count_if(pixels.begin(), pixels.end(), [](const Color& c) { return !finite(c); }));
+    totals.non_finite_pixels += static_cast<std::uint64_t>(
+        std::count_if(pixels.begin(), pixels.end(), [](const Color& c) { return !is_finite(c); }));
     sink(band * band_rows, pixels);
     progress(bands.done());
   }
   totals.rays = bands.counts();
   return totals;
+}
+
+Image render_image(const Engine& engine, ImageSize size, unsigned threads) {
+  Image image(size.width, size.height);
+  const std::atomic<bool> never = false;
+  const auto keep = [&](int first_row, std::span<const Color> rows) {
+    std::copy(rows.begin(), rows.end(), &image.at(0, first_row));
+  };
+  render(
+      engine, size, threads, keep, [](double) {}, never);
+  return image;
 }
 
 }  // namespace raylab

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/image/image.hpp"
 #include "core/render/engine.hpp"
 
 #include <atomic>
@@ -26,5 +27,8 @@ struct RenderTotals {
 /// Throws Cancelled soon after `cancel` is set, and whatever the engine, the sink or `progress` throws.
 RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, const RowSink& sink, const Progress& progress,
                     const std::atomic<bool>& cancel);
+
+/// A whole image, without progress and not to be cancelled.
+Image render_image(const Engine& engine, ImageSize size, unsigned threads);
 
 }  // namespace raylab

@@ -81,7 +81,7 @@ class SceneReader {
     if (const std::optional<TomlTable> root = parse_toml(toml, report_)) read_root(Section(*root, "", {1, 1}, report_));
     const bool good = !report_.has_error() && clouds_are_good_;
     if (good) warn_of_surprises(scene_, places_, report_);
-    SceneFile file{{}, report_.sorted()};
+    SceneFile file{{}, report_.sorted(), std::move(tables_)};
     file.diagnostics.insert(file.diagnostics.end(), in_clouds_.begin(), in_clouds_.end());
     if (good) file.scene = std::move(scene_);
     return file;
@@ -139,6 +139,7 @@ class SceneReader {
       section.error("file", "cannot read " + path.string() + ": " + text.error);
       return {};
     }
+    tables_.push_back(path);
     Report report(path.string());
     CloudTable table = parse_cloud(*text.text, section.name(), report);
     clouds_are_good_ = clouds_are_good_ && !report.has_error();
@@ -149,6 +150,7 @@ class SceneReader {
 
   fs::path folder_;
   Report report_;
+  std::vector<fs::path> tables_;
   std::vector<Diagnostic> in_clouds_;
   bool clouds_are_good_ = true;
   Scene scene_;

@@ -15,6 +15,7 @@ struct SceneFile {
   std::optional<Scene> scene;  ///< empty if there is any error
   /// Mistakes and warnings, in the order of the file; those in the tables of its clouds follow, table by table.
   std::vector<Diagnostic> diagnostics;
+  std::vector<std::filesystem::path> tables = {};  ///< the files of its clouds, as far as they could be read, in file order
 };
 
 /// Reads a scene file and the cloud tables beside it. The format, with its defaults and ranges, is in docs/model.md, "Scene

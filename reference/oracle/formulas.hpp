@@ -63,20 +63,37 @@ std::optional<T> meet_plane(const Ray<T>& ray, const Vec3<T>& c, const Vec3<T>& 
   return t > 0 ? std::optional<T>(t) : std::nullopt;
 }
 
-/// The least t >= 0 with |o + t d - c| = R, from t^2 + 2 b t + gap = 0.
+/// The line of a ray and a sphere: |o + t d - c| = R where t^2 + 2 b t + gap = 0.
+template <class T>
+struct Chord {
+  T b;
+  T gap;
+  T scale;    ///< of the numbers that gap and discriminant are made of
+  int place;  ///< of the origin: -1 inside, 0 on the sphere, 1 outside
+
+  Chord(const Ray<T>& ray, const Vec3<T>& c, const T& radius) {
+    const Vec3<T> f = ray.origin - c;
+    const T squared = radius * radius;
+    b = dot(f, ray.direction);
+    gap = dot(f, f) - squared;
+    scale = size(f) * (size(ray.origin) + size(c)) + squared;
+    place = sign(gap, scale);
+  }
+
+  T discriminant() const { return b * b - gap; }
+  bool exists() const { return place <= 0 || sign(discriminant(), scale) >= 0; }
+  /// Half the distance between the two roots.
+  T half() const { return place == 0 ? T(abs(b)) : sign(discriminant(), scale) == 0 ? T(0) : sqrt(discriminant()); }
+};
+
+/// The least t >= 0 on the sphere.
 template <class T>
 std::optional<T> meet_sphere(const Ray<T>& ray, const Vec3<T>& c, const T& radius) {
-  const Vec3<T> f = ray.origin - c;
-  const T b = dot(f, ray.direction);
-  const T gap = dot(f, f) - radius * radius;
-  const T scale = size(f) * (size(ray.origin) + size(c)) + radius * radius;
-  const int place = sign(gap, scale);  // of the origin: -1 inside, 0 on the sphere, 1 outside
-  if (place == 0) return T(0);
-  const T discriminant = b * b - gap;
-  if (place < 0) return T(-b + sqrt(discriminant));
-  const int meets = sign(discriminant, scale);
-  if (b >= 0 || meets < 0) return std::nullopt;
-  return meets == 0 ? T(-b) : T(-b - sqrt(discriminant));
+  const Chord<T> chord(ray, c, radius);
+  if (chord.place == 0) return T(0);
+  if (chord.place < 0) return T(-chord.b + chord.half());
+  if (chord.b >= 0 || !chord.exists()) return std::nullopt;
+  return T(-chord.b - chord.half());
 }
 
 // ---- 3 Blinn-Phong --------------------------------------------------------------------------------------------------
@@ -88,15 +105,14 @@ T specular_weight(double shininess) {
   return (1 - e) / (1 + e);
 }
 
-/// L.N + k_s max(0, H.N)^alpha, for L.N > 0.
+/// k_s max(0, H.N)^alpha.
 template <class T>
-T blinn_phong(const Vec3<T>& L, const Vec3<T>& N, const Vec3<T>& V, const T& k_s, double alpha) {
-  const T diffuse = dot(L, N);
-  if (alpha == 0 || std::isinf(alpha)) return diffuse;  // k_s = 0; D10
+T specular(const Vec3<T>& L, const Vec3<T>& N, const Vec3<T>& V, const T& k_s, double alpha) {
+  if (alpha == 0 || std::isinf(alpha)) return T(0);  // k_s = 0; D10
   const Vec3<T> sum = L + V;
-  if (sign(size(sum), T(1)) == 0) return diffuse;
+  if (sign(size(sum), T(1)) == 0) return T(0);
   const T cosine = dot(unit(sum), N);
-  return cosine > 0 ? T(diffuse + k_s * pow(cosine, T(alpha))) : diffuse;
+  return cosine > 0 ? T(k_s * pow(cosine, T(alpha))) : T(0);
 }
 
 // ---- 5 Reflections, 6 Refraction ------------------------------------------------------------------------------------
@@ -107,11 +123,17 @@ Vec3<T> reflect(const Vec3<T>& d, const Vec3<T>& N) {
   return d - (2 * dot(d, N)) * N;
 }
 
-/// The cosine of the angle on the far side of a surface, by Snell's law: sin_far = ratio sin_near. Nothing where that is
+/// The square of the cosine on the far side of a surface, by Snell's law: sin_far = ratio sin_near. Below 0 where that is
 /// above 1.
 template <class T>
+T refracted_cosine_squared(const T& cos_near, const T& ratio) {
+  return 1 - ratio * ratio * (1 - cos_near * cos_near);
+}
+
+/// The cosine itself, or nothing.
+template <class T>
 std::optional<T> refracted_cosine(const T& cos_near, const T& ratio) {
-  const T squared = 1 - ratio * ratio * (1 - cos_near * cos_near);
+  const T squared = refracted_cosine_squared(cos_near, ratio);
   const int side = sign(squared, T(1 + ratio * ratio));
   if (side < 0) return std::nullopt;
   return side == 0 ? T(0) : sqrt(squared);

@@ -3,6 +3,7 @@
 #include "core/render/engine.hpp"
 
 #include <memory>
+#include <span>
 
 namespace raylab {
 
@@ -19,5 +20,26 @@ namespace raylab {
 /// the bounces left being 0, is neither traced nor counted; a shadow ray is counted for each point or directional light that
 /// has L.N > 0.
 std::unique_ptr<Engine> make_oracle(const Scene& scene, const Settings& settings);
+
+/// A color, and the least and the greatest that are right too: over the shifts off the surface that docs/model.md accepts.
+struct ColorRange {
+  Color value, least, greatest;
+};
+
+/// All that the oracle says of a pixel. docs/tolerance.md explains what for.
+struct PixelWord {
+  ColorRange together;              ///< as the model has it; NaN where the precisions do not agree
+  ColorRange each;                  ///< with each dot product clamped by itself, an accepted variant
+  double margin = 1;                ///< the least slack of any decision on the pixel's ray tree, 0 to 1
+  double sensitivity = 0;           ///< the most that a component moves when every ray of the tree is rounded to double
+  GeometryId object = no_geometry;  ///< that the pixel's centre shows
+};
+
+/// An oracle that also writes its word on each pixel into `words`, as many as the image has pixels, in its order. It renders
+/// every `every`-th pixel, evenly spread; the others stay as they are, and black.
+std::unique_ptr<Engine> make_witness(const Scene& scene, const Settings& settings, std::span<PixelWord> words, int every);
+
+/// Is this pixel among every `every`-th?
+bool is_sampled(int column, int row, int every);
 
 }  // namespace raylab

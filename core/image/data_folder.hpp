@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace raylab {
+
+/// A file or folder of the project's data, "scenes" or "reference/renders", wherever this copy of raylab keeps it: installed
+/// beside the running program, or in the source folder that it was built from.
+std::filesystem::path data_folder(const std::string& name);
+
+}  // namespace raylab

@@ -1,0 +1,234 @@
+#include "core/report/diff_page.hpp"
+
+#include "core/image/diff_pictures.hpp"
+#include "core/image/image_file.hpp"
+#include "core/report/diff_page_html.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace raylab {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Writes bytes as lines of base64, each of which can be decoded alone.
+class Base64Lines {
+ public:
+  explicit Base64Lines(std::ostream& out) : out_(out) { bytes_.reserve(line_bytes); }
+
+  void byte(unsigned value) {
+    bytes_.push_back(static_cast<unsigned char>(value & 0xff));
+    if (bytes_.size() == line_bytes) end_line();
+  }
+
+  /// Four bytes, the lowest first.
+  void word(std::uint32_t value) {
+    for (int shift = 0; shift < 32; shift += 8) byte(value >> shift);
+  }
+
+  void number(double value) { word(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
+
+  void color(const Color& c) {
+    number(c.r);
+    number(c.g);
+    number(c.b);
+  }
+
+  void end_line() {
+    std::string line;
+    line.reserve(bytes_.size() / 3 * 4 + 5);
+    for (std::size_t k = 0; k < bytes_.size(); k += 3) append_group(line, k);
+    out_ << line << '\n';
+    bytes_.clear();
+  }
+
+ private:
+  static constexpr std::size_t line_bytes = 3 * 16384;
+
+  /// Up to three bytes from the k-th on, as four characters.
+  void append_group(std::string& line, std::size_t k) const {
+    static constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const std::size_t count = std::min<std::size_t>(3, bytes_.size() - k);
+    unsigned group = 0;
+    for (std::size_t j = 0; j < 3; ++j) group = group << 8 | (j < count ? bytes_[k + j] : 0u);
+    for (std::size_t j = 0; j < 4; ++j) line += j <= count ? digits[group >> (18 - 6 * j) & 63] : '=';
+  }
+
+  std::ostream& out_;
+  std::vector<unsigned char> bytes_;
+};
+
+std::string html_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+/// A number as JSON; what JSON has no numbers for, as the text that JavaScript's Number() reads.
+Json json_number(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
+  return value;
+}
+
+Json json_color(const Color& c) { return Json::array({json_number(c.r), json_number(c.g), json_number(c.b)}); }
+
+Json json_of(const OutsidePixel& pixel) {
+  return {{"column", pixel.column},
+          {"row", pixel.row},
+          {"image", json_color(pixel.image)},
+          {"least", json_color(pixel.least)},
+          {"greatest", json_color(pixel.greatest)},
+          {"distance", json_number(pixel.distance)}};
+}
+
+Json json_of(const Comparison& comparison) {
+  Json worst = Json::array();
+  for (const OutsidePixel& pixel : comparison.worst) worst.push_back(json_of(pixel));
+  Json findings = Json::array();
+  for (const Finding& finding : comparison.findings) findings.push_back(finding.text);
+  return {{"same", comparison.same},
+          {"clampedEach", comparison.clamped_each},
+          {"outside", comparison.outside},
+          {"allowed", comparison.allowed},
+          {"densest", comparison.densest},
+          {"densestAllowed", comparison.densest_allowed},
+          {"atDecision", comparison.at_decision},
+          {"nonFinite", comparison.non_finite},
+          {"maxError", json_number(comparison.max_error)},
+          {"meanError", json_number(comparison.mean_error)},
+          {"rmse", json_number(comparison.rmse)},
+          {"psnr", json_number(comparison.psnr)},
+          {"shareAtDecisions", json_number(comparison.share_at_decisions)},
+          {"worst", std::move(worst)},
+          {"findings", std::move(findings)}};
+}
+
+/// A color as it is shown, in three bytes.
+Json json_bytes(const Color& c) { return Json::array({quantise(c.r), quantise(c.g), quantise(c.b)}); }
+
+Json json_of(const std::vector<Color>& color_map) {
+  Json colors = Json::array();
+  for (const Color& c : color_map) colors.push_back(json_bytes(c));
+  return colors;
+}
+
+Json json_of(const DiffPage& page) {
+  const Reference& reference = page.reference;
+  return {{"title", page.title},
+          {"imageName", page.image_name},
+          {"referenceName", page.reference_name},
+          {"width", page.image.width},
+          {"height", page.image.height},
+          {"scene", reference.scene},
+          {"stage", reference.stage},
+          {"planes", reference.planes},
+          {"spheres", reference.spheres},
+          {"hasWord", reference.has_word()},
+          {"colorMap", json_of(page.color_map)},
+          {"nonFiniteColor", json_bytes(non_finite_color)},
+          {"comparison", json_of(page.comparison)}};
+}
+
+/// JSON for a <script> element, which `</script>` would end and `<!--` would change: no `<` stays as it is.
+std::string script_json(const Json& json) {
+  std::string safe;
+  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+/// A <script> element that is no script but holds data; `write` writes it.
+template <class Write>
+void write_block(std::ostream& out, std::string_view id, Write write) {
+  out << "<script type=\"text/plain\" id=\"" << id << "\">\n";
+  Base64Lines lines(out);
+  write(lines);
+  lines.end_line();
+  out << "</script>\n";
+}
+
+void write_image_block(std::ostream& out, std::string_view id, const Image& image) {
+  write_block(out, id, [&](Base64Lines& lines) {
+    for (const Color& c : image.pixels) lines.color(c);
+  });
+}
+
+void write_numbers_block(std::ostream& out, std::string_view id, const std::vector<double>& numbers) {
+  write_block(out, id, [&](Base64Lines& lines) {
+    for (const double number : numbers) lines.number(number);
+  });
+}
+
+/// Only the pixels whose range is more than the reference's value, which are few: a pixel's index, least and greatest.
+void write_ranges_block(std::ostream& out, const Reference& reference) {
+  write_block(out, "ranges-data", [&](Base64Lines& lines) {
+    for (std::size_t k = 0; k < reference.value.pixels.size(); ++k) {
+      const Color &least = reference.least.pixels[k], &greatest = reference.greatest.pixels[k];
+      if (least == reference.value.pixels[k] && greatest == reference.value.pixels[k]) continue;
+      lines.word(static_cast<std::uint32_t>(k));
+      lines.color(least);
+      lines.color(greatest);
+    }
+  });
+}
+
+void write_data(std::ostream& out, const DiffPage& page) {
+  out << "<script type=\"application/json\" id=\"report\">" << script_json(json_of(page)) << "</script>\n";
+  write_image_block(out, "image-data", page.image);
+  write_image_block(out, "reference-data", page.reference.value);
+  write_ranges_block(out, page.reference);
+  write_numbers_block(out, "error-data", page.comparison.error);
+  write_block(out, "verdict-data", [&](Base64Lines& lines) {
+    for (const PixelVerdict verdict : page.comparison.verdict) lines.byte(static_cast<unsigned>(verdict));
+  });
+  if (!page.reference.has_word()) return;
+  write_numbers_block(out, "margin-data", page.reference.margin);
+  write_numbers_block(out, "sensitivity-data", page.reference.sensitivity);
+  write_block(out, "object-data", [&](Base64Lines& lines) {
+    for (const GeometryId object : page.reference.object) lines.word(static_cast<std::uint32_t>(object));
+  });
+}
+
+/// What stands before the mark and what stands after it.
+std::array<std::string_view, 2> split(std::string_view text, std::string_view mark) {
+  const std::size_t at = text.find(mark);
+  if (at == std::string_view::npos) throw std::logic_error("diff_page.html has no " + std::string(mark));
+  return {text.substr(0, at), text.substr(at + mark.size())};
+}
+
+}  // namespace
+
+void write_diff_page(std::ostream& out, const DiffPage& page) {
+  if (page.image.pixels.size() > largest_page)
+    throw std::runtime_error("a page holds images of up to " + std::to_string(largest_page) + " pixels, this one has " +
+                             std::to_string(page.image.pixels.size()));
+  const auto [start, rest] = split(diff_page_html, "{{title}}");
+  const auto [markup, script] = split(rest, "{{data}}");
+  out << start << html_escaped(page.title) << markup;
+  write_data(out, page);
+  out << script;
+}
+
+}  // namespace raylab
