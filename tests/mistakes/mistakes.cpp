@@ -273,7 +273,7 @@ const std::vector<Mistake> mistakes = {
     {"3.1", "1 - e^-x alone", put_weight<exponential_alone>},
     {"3.2", "no k_s", put_light<right_diffuse, unweighted>},
     {"3.2", "no specular term", put_light<right_diffuse, no_specular>},
-    {"3.2", "|L.N| for the clamp", put_light<absolute_diffuse, right_specular>},
+    {"3.2", "the absolute value of L.N for the clamp", put_light<absolute_diffuse, right_specular>},
     {"3.2", "Phong's mirror direction for H", put_light<right_diffuse, by_mirror_direction>},
     {"3.2", "H not unit", put_light<right_diffuse, half_vector_not_unit>},
     {"3.2", "H from L - V", put_light<right_diffuse, half_vector_by_difference>},
