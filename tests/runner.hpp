@@ -14,8 +14,8 @@ struct Totals {
   std::size_t failed = 0;
 };
 
-/// Runs the tests that a Catch2 selection like "[stage5]" or "[5.1]" names, all for an empty one, on `table`. The report goes
-/// to `report`, or to standard output if that is empty.
+/// Runs the tests that a Catch2 selection like "[stage5]" or "[5.1]" names, all for an empty one, on `table`. The report
+/// goes to `report`, or to standard output if that is empty.
 Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report = {});
 
 /// The table that the running tests judge.
