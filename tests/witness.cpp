@@ -49,9 +49,9 @@ TEST_CASE("witness: a ray that hits a sphere has the slack of its discriminant",
   const PixelWord hit = word(sphere("[0.6, 0, 0]", "1"), 2);
   CHECK(hit.margin == within(1e-14, 1 - 0.36));  // disc / R^2
   CHECK(hit.object == 0);
-  const PixelWord miss = word(sphere("[2.2, 0, 0]", "2"), 2);
-  CHECK(miss.margin == within(1e-14, 1.1 * 1.1 - 1));
-  CHECK(miss.object == no_geometry);
+  const PixelWord passes = word(sphere("[2.2, 0, 0]", "2"), 2);
+  CHECK(passes.margin == within(1e-14, 1.1 * 1.1 - 1));
+  CHECK(passes.object == no_geometry);
 }
 
 TEST_CASE("witness: what cannot become visible has no say", "[witness]") {

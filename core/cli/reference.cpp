@@ -1,6 +1,5 @@
 #include "core/cli/command.hpp"
 #include "core/cli/engines.hpp"
-#include "core/cli/load_scene.hpp"
 #include "core/cli/watched_render.hpp"
 #include "core/image/data_folder.hpp"
 #include "core/image/file_hash.hpp"
@@ -9,8 +8,7 @@
 #include "core/references/manifest.hpp"
 #include "core/scene/read_scene.hpp"
 #if defined(RAYLAB_WITH_ORACLE) && defined(RAYLAB_WITH_ENGINE)
-#include "reference/engine/engine.hpp"
-#include "reference/oracle/oracle.hpp"
+#include "core/cli/render_reference.hpp"
 #define RAYLAB_CAN_MAKE_REFERENCES
 #endif
 
@@ -38,28 +36,9 @@ struct Options {
 
 #ifdef RAYLAB_CAN_MAKE_REFERENCES
 
-constexpr int longer_side = 160;      // of a reference, in pixels
-constexpr int longer_side_png = 320;  // of the picture for people
-constexpr int sample_every = 16;      // pixels that --check renders, without --all: 6 %
-constexpr int last_stage = 7;
+constexpr int sample_every = 16;  // pixels that --check renders, without --all: 6 %
 
 const fs::path renders = fs::path(manifest_file).parent_path();
-
-ImageSize fitted(ImageSize size, int side) {
-  const int longer = std::max(size.width, size.height);
-  const auto scaled = [&](int pixels) { return std::max(1, (pixels * side + longer / 2) / longer); };
-  return {scaled(size.width), scaled(size.height)};
-}
-
-/// A scene whose references are to be made or checked.
-struct Subject {
-  std::string name;
-  std::vector<fs::path> sources;  ///< the scene file, its tables, the model; relative to the data folder
-  Scene scene;
-};
-
-std::string stage_name(int stage) { return std::string(stage_list()[static_cast<std::size_t>(stage - 1)].name); }
-std::string stage_folder(int stage) { return std::string(stage_list()[static_cast<std::size_t>(stage - 1)].folder); }
 
 class ReferenceMaker {
  public:
@@ -78,7 +57,7 @@ class ReferenceMaker {
       SceneEntry entry{subject.name, {}, {}};
       for (const fs::path& source : subject.sources) entry.sources.push_back(hashed(source));
       const bool fresh = same(old.sources, entry.sources) && !options_.all;
-      for (const int stage : stages_that_change(subject.scene)) {
+      for (const int stage : stages_that_change(subject.scene, options_.threads)) {
         const ReferenceEntry* kept = fresh ? entry_of(old, stage) : nullptr;
         if (kept && holds(*kept)) {
           entry.references.push_back(*kept);
@@ -156,10 +135,11 @@ class ReferenceMaker {
   }
 
   bool holds(const ReferenceEntry& entry) const {
-    return std::all_of(&entry.exr, &entry.png + 1, [&](const HashedFile& file) {
+    const auto file_holds = [&](const HashedFile& file) {
       const fs::path path = data_ / renders / file.file;
       return fs::is_regular_file(path) && file_hash(path) == file.hash;
-    });
+    };
+    return file_holds(entry.exr) && file_holds(entry.png);
   }
 
   /// What is finished of an entry, and of the old one what comes after.
@@ -203,89 +183,12 @@ class ReferenceMaker {
     return sum;
   }
 
-  Settings settings(const Scene& scene, int stage, int side) const {
-    return {stage, fitted(scene.image, side), scene.max_bounces, {}};
-  }
-
-  Image rendered_fast(const Scene& scene, int stage, int side) const {
-    const Settings wanted = settings(scene, stage, side);
-    Image image(wanted.size.width, wanted.size.height);
-    const auto sink = [&](int first_row, std::span<const Color> rows) {
-      std::copy(rows.begin(), rows.end(), &image.at(0, first_row));
-    };
-    const auto engine = make_fast(scene, wanted, Precision::f64);
-    watched_render(*engine, wanted.size, options_.threads, "stages", sink);
-    return image;
-  }
-
-  /// A stage that gives the image of the one before it needs no reference.
-  std::vector<int> stages_that_change(const Scene& scene) const {
-    constexpr double rounding = 1e-9;
-    std::vector<int> stages;
-    Image before;
-    for (int stage = 1; stage <= last_stage; ++stage) {
-      Image now = rendered_fast(scene, stage, longer_side);
-      const auto close = [](const Color& a, const Color& b) {
-        return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) <= rounding;
-      };
-      if (stage == 1 || !std::equal(now.pixels.begin(), now.pixels.end(), before.pixels.begin(), close))
-        stages.push_back(stage);
-      before = std::move(now);
-    }
-    return stages;
-  }
-
-  /// The oracle's word on every `every`-th pixel.
-  std::vector<PixelWord> words(const Subject& subject, int stage, int every) const {
-    const Settings wanted = settings(subject.scene, stage, longer_side);
-    std::vector<PixelWord> all(static_cast<std::size_t>(wanted.size.width) * static_cast<std::size_t>(wanted.size.height));
-    const auto engine = make_witness(subject.scene, wanted, all, every);
-    watched_render(*engine, wanted.size, options_.threads, subject.name + " " + stage_name(stage), [](int, auto) {});
-    return all;
-  }
-
-  static Reference reference_of(const Subject& subject, int stage, const std::vector<PixelWord>& words) {
-    const ImageSize size = fitted(subject.scene.image, longer_side);
-    const Image blank(size.width, size.height);
-    Reference reference{{blank, blank, blank}, PixelRanges{blank, blank, blank}, {}, {}, {}};
-    for (std::size_t k = 0; k < words.size(); ++k) {
-      const auto put_range = [k](PixelRanges& ranges, const ColorRange& range) {
-        ranges.value.pixels[k] = range.value;
-        ranges.least.pixels[k] = range.least;
-        ranges.greatest.pixels[k] = range.greatest;
-      };
-      put_range(reference, words[k].together);
-      put_range(*reference.each, words[k].each);
-      reference.margin.push_back(words[k].margin);
-      reference.sensitivity.push_back(words[k].sensitivity);
-      reference.object.push_back(words[k].object);
-    }
-    reference.scene = subject.name;
-    reference.stage = stage;
-    reference.planes = static_cast<int>(subject.scene.planes.size());
-    reference.spheres = static_cast<int>(subject.scene.spheres.size());
-    return reference;
-  }
-
-  static bool clampings_agree(const Reference& reference) {
-    return reference.each->value.pixels == reference.value.pixels &&
-           reference.each->least.pixels == reference.least.pixels &&
-           reference.each->greatest.pixels == reference.greatest.pixels;
-  }
-
   ReferenceEntry render(const Subject& subject, int stage) const {
-    const std::vector<PixelWord> all = words(subject, stage, 1);
-    const auto undecided =
-        std::count_if(all.begin(), all.end(), [](const PixelWord& w) { return std::isnan(w.together.value.r); });
-    if (undecided > 0)
-      throw Failure(subject.name + ", stage " + stage_name(stage) + ": the oracle's precisions disagree on " +
-                    std::to_string(undecided) + " pixels: move the scene's geometries apart");
-    Reference reference = reference_of(subject, stage, all);
-    if (clampings_agree(reference)) reference.each.reset();
-    const fs::path exr = fs::path(stage_folder(stage)) / (subject.name + ".exr");
-    const fs::path png = fs::path(exr).replace_extension(".png");
-    write_reference(data_ / renders / exr, reference);
-    write_image(data_ / renders / png, rendered_fast(subject.scene, stage, longer_side_png));
+    const fs::path folder(stage_list()[static_cast<std::size_t>(stage - 1)].folder);
+    const fs::path exr = folder / (subject.name + ".exr");
+    const fs::path png = folder / (subject.name + ".png");
+    write_reference(data_ / renders / exr, oracle_reference(subject, stage, 1, options_.threads));
+    write_image(data_ / renders / png, picture(subject.scene, stage, options_.threads));
     return {stage,
             {exr.generic_string(), file_hash(data_ / renders / exr)},
             {png.generic_string(), file_hash(data_ / renders / png)}};
@@ -296,7 +199,7 @@ class ReferenceMaker {
     const int every = options_.all ? 1 : sample_every;
     const std::string name = (data_ / renders / entry.exr.file).string();
     const Reference kept = read_reference(name);
-    const Reference now = as_stored(reference_of(subject, entry.stage, words(subject, entry.stage, every)));
+    const Reference now = as_stored(oracle_reference(subject, entry.stage, every, options_.threads));
     if (kept.value.width != now.value.width || kept.value.height != now.value.height) {
       broken.push_back(name + ": has another size than the scene gives: run 'raylab reference --update'");
       return 0;
@@ -304,7 +207,7 @@ class ReferenceMaker {
     std::size_t compared = 0, different = 0;
     for (int row = 0; row < now.value.height; ++row)
       for (int column = 0; column < now.value.width; ++column)
-        if (is_sampled(column, row, every)) {
+        if (is_rendered(column, row, every)) {
           const auto k =
               static_cast<std::size_t>(row) * static_cast<std::size_t>(now.value.width) + static_cast<std::size_t>(column);
           ++compared;
@@ -332,7 +235,7 @@ class ReferenceMaker {
   void check_png(const Subject& subject, const ReferenceEntry& entry, std::vector<std::string>& broken) const {
     const std::string name = (data_ / renders / entry.png.file).string();
     const Image kept = read_image(name).image;
-    const Image now = rendered_fast(subject.scene, entry.stage, longer_side_png);
+    const Image now = picture(subject.scene, entry.stage, options_.threads);
     const auto close = [](const Color& a, const Color& b) {
       const auto level = [](double c) { return static_cast<int>(quantise(c)); };
       return std::abs(level(a.r) - level(b.r)) <= 1 && std::abs(level(a.g) - level(b.g)) <= 1 &&

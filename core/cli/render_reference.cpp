@@ -1,0 +1,117 @@
+#include "core/cli/render_reference.hpp"
+
+#include "core/cli/command.hpp"
+#include "core/cli/watched_render.hpp"
+#include "core/render/stage_table.hpp"
+#include "reference/engine/engine.hpp"
+#include "reference/oracle/oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace raylab::cli {
+namespace {
+
+constexpr int longer_side = 160;          // of a reference, in pixels
+constexpr int longer_side_picture = 320;  // of the picture for people
+constexpr int last_stage = 7;
+
+std::string stage_name(int stage) { return std::string(stage_list()[static_cast<std::size_t>(stage - 1)].name); }
+
+ImageSize fitted(ImageSize size, int side) {
+  const int longer = std::max(size.width, size.height);
+  const auto scaled = [&](int pixels) { return std::max(1, (pixels * side + longer / 2) / longer); };
+  return {scaled(size.width), scaled(size.height)};
+}
+
+Settings settings(const Scene& scene, int stage, int side) {
+  return {stage, fitted(scene.image, side), scene.max_bounces, {}};
+}
+
+Image rendered_fast(const Scene& scene, int stage, int side, unsigned threads) {
+  const Settings wanted = settings(scene, stage, side);
+  Image image(wanted.size.width, wanted.size.height);
+  const auto sink = [&](int first_row, std::span<const Color> rows) {
+    std::copy(rows.begin(), rows.end(), &image.at(0, first_row));
+  };
+  const auto engine = make_fast(scene, wanted, Precision::f64);
+  watched_render(*engine, wanted.size, threads, "stages", sink);
+  return image;
+}
+
+/// The oracle's word on every `every`-th pixel.
+std::vector<PixelWord> words(const Subject& subject, int stage, int every, unsigned threads) {
+  const Settings wanted = settings(subject.scene, stage, longer_side);
+  std::vector<PixelWord> all(static_cast<std::size_t>(wanted.size.width) * static_cast<std::size_t>(wanted.size.height));
+  const auto engine = make_witness(subject.scene, wanted, all, every);
+  watched_render(*engine, wanted.size, threads, subject.name + " " + stage_name(stage), [](int, auto) {});
+  return all;
+}
+
+Reference reference_of(const Subject& subject, int stage, const std::vector<PixelWord>& words) {
+  const ImageSize size = fitted(subject.scene.image, longer_side);
+  const Image blank(size.width, size.height);
+  Reference reference{{blank, blank, blank}, PixelRanges{blank, blank, blank}, {}, {}, {}};
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const auto put_range = [k](PixelRanges& ranges, const ColorRange& range) {
+      ranges.value.pixels[k] = range.value;
+      ranges.least.pixels[k] = range.least;
+      ranges.greatest.pixels[k] = range.greatest;
+    };
+    put_range(reference, words[k].together);
+    put_range(*reference.each, words[k].each);
+    reference.margin.push_back(words[k].margin);
+    reference.sensitivity.push_back(words[k].sensitivity);
+    reference.object.push_back(words[k].object);
+  }
+  reference.scene = subject.name;
+  reference.stage = stage;
+  reference.planes = static_cast<int>(subject.scene.planes.size());
+  reference.spheres = static_cast<int>(subject.scene.spheres.size());
+  return reference;
+}
+
+bool clampings_agree(const Reference& reference) {
+  return reference.each->value.pixels == reference.value.pixels && reference.each->least.pixels == reference.least.pixels &&
+         reference.each->greatest.pixels == reference.greatest.pixels;
+}
+
+}  // namespace
+
+std::vector<int> stages_that_change(const Scene& scene, unsigned threads) {
+  constexpr double rounding = 1e-9;
+  std::vector<int> stages;
+  Image before;
+  for (int stage = 1; stage <= last_stage; ++stage) {
+    Image now = rendered_fast(scene, stage, longer_side, threads);
+    const auto close = [](const Color& a, const Color& b) {
+      return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) <= rounding;
+    };
+    if (stage == 1 || !std::equal(now.pixels.begin(), now.pixels.end(), before.pixels.begin(), close))
+      stages.push_back(stage);
+    before = std::move(now);
+  }
+  return stages;
+}
+
+Reference oracle_reference(const Subject& subject, int stage, int every, unsigned threads) {
+  const std::vector<PixelWord> all = words(subject, stage, every, threads);
+  const auto undecided =
+      std::count_if(all.begin(), all.end(), [](const PixelWord& word) { return !is_finite(word.together.value); });
+  if (undecided > 0)
+    throw Failure(subject.name + ", stage " + stage_name(stage) + ": the oracle's precisions disagree on " +
+                  std::to_string(undecided) + " pixels: move the scene's geometries apart");
+  Reference reference = reference_of(subject, stage, all);
+  if (clampings_agree(reference)) reference.each.reset();
+  return reference;
+}
+
+bool is_rendered(int column, int row, int every) { return is_sampled(column, row, every); }
+
+Image picture(const Scene& scene, int stage, unsigned threads) {
+  return rendered_fast(scene, stage, longer_side_picture, threads);
+}
+
+}  // namespace raylab::cli
