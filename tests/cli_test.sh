@@ -2,24 +2,12 @@
 # The program as its users meet it: commands, files, messages, exit codes, Ctrl-C.
 #   tests/cli_test.sh PROGRAM SCENES_FOLDER
 set -uo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 program=$(realpath "$1")
 scenes=$(realpath "$2")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
-passed=0 failed=0
-
-# check WHAT COMMAND...: the command must succeed.
-check() {
-  local what=$1; shift
-  if "$@"; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    printf 'FAILED: %s\n' "$what"
-    sed 's/^/  | /' stdout stderr 2>/dev/null | head -20
-  fi
-}
 # run CODE ARGUMENT...: runs the program; its exit code must be CODE. What it prints goes to the files stdout and stderr.
 run() {
   local code=$1 got=0; shift
@@ -288,5 +276,4 @@ milliseconds=$((($(date +%s%N) - start) / 1000000))
 check "many lights: stops within 0.2 s, took $milliseconds ms" test $milliseconds -lt ${RAYLAB_STOP_LIMIT_MS:-200}
 check 'many lights: leaves no file' test -z "$(ls -A stopped)"
 
-printf '%d passed, %d failed\n' $passed $failed
-((failed == 0))
+report_checks

@@ -2,17 +2,8 @@
 # Every relative link in the project's pages leads somewhere, and docs/driver.md quotes the driver as it is.
 #   tests/docs_test.sh SOURCE_FOLDER
 set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 cd "$1"
-passed=0 failed=0
-check() {
-  local what=$1; shift
-  if "$@"; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-    printf 'FAILED: %s\n' "$what"
-  fi
-}
 
 while IFS=: read -r page link; do
   [[ $link == *:* || $link == '#'* ]] && continue
@@ -23,5 +14,4 @@ while IFS= read -r line; do
   check "docs/driver.md quotes: $line" grep -qF -- "$line" core/render/driver.hpp
 done < <(awk '/^```/ {code = /^```cpp/; next} code && NF' docs/driver.md | sed 's/^ *//')
 
-printf '%d passed, %d failed\n' $passed $failed
-((failed == 0 && passed > 0))
+report_checks

@@ -1,6 +1,7 @@
 // The checked-in references: every stage of solution and engine against them, and what a manifest promises.
 
 #include "core/image/data_folder.hpp"
+#include "core/image/diff_patterns.hpp"
 #include "core/image/file_hash.hpp"
 #include "core/image/image_file.hpp"
 #include "core/image/reference_file.hpp"
@@ -13,6 +14,7 @@
 #ifdef RAYLAB_WITH_ENGINE
 #include "reference/engine/engine.hpp"
 #endif
+#include "tests/mistakes/mistakes.hpp"
 #include "tests/support.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -142,6 +144,27 @@ TEST_CASE("references: the image of another stage is recognised", "[references]"
   CHECK(find_other_stage(Image(160, 120, Color(0.1)), NumberFormat::float32, scene, 5, renders()) == std::nullopt);
 }
 
+TEST_CASE("references: what a known mistake looks like is told", "[references]") {
+  const Manifest manifest = checked_in();
+  REQUIRE(find_scene(manifest, "scene5") != nullptr);
+  const SceneEntry& entry = *find_scene(manifest, "scene5");
+  const SceneFile file = read_scene(data_folder(entry.sources.front().file));
+  const Reference reference = read_reference(renders() / find_reference(entry, 5)->exr.file);
+  const Settings settings{5, {reference.value.width, reference.value.height}, file.scene->max_bounces, {}};
+  const auto told = [&](std::string_view name) {
+    StageTable wrong = table();
+    for (const Mistake& mistake : known_mistakes())
+      if (mistake.name == name) mistake.put_into(wrong);
+    const Image image = render_image(*make_stages(*file.scene, settings, wrong), settings.size, 2);
+    const auto findings = find_patterns(image, reference, compare(image, NumberFormat::float64, reference));
+    return findings.empty() ? "" : findings.front().text;
+  };
+  CHECK(told("upside down") == "The image is the reference upside down.");
+  CHECK(told("mirrored left to right") == "The image is the reference mirrored left to right.");
+  CHECK(told("no half pixel") == "The image is the reference shifted by half a pixel to the left and by half a pixel down.");
+  CHECK(told("no shadows") == "");
+}
+
 TEST_CASE("manifest: what holds has no complaints, and reads as written", "[references]") {
   const SmallData data;
   CHECK(data.complaints().empty());
@@ -173,6 +196,10 @@ TEST_CASE("manifest: what is none says so", "[references]") {
   CHECK_THROWS_WITH(read_manifest(data.manifest_path()), ContainsSubstring("is no manifest of references"));
   data.write(manifest_file, R"({"scenes": [{"name": "x", "sources": [], "references": []}]})");
   CHECK_THROWS_WITH(read_manifest(data.manifest_path()), ContainsSubstring("scene x has no sources"));
+  std::string text = bytes_of(SmallData().manifest_path());
+  text.replace(text.find("\"stage\": 1"), 10, "\"stage\": 9");
+  data.write(manifest_file, text);
+  CHECK_THROWS_WITH(read_manifest(data.manifest_path()), ContainsSubstring("scene ball has a reference at stage 9"));
 }
 
 TEST_CASE("references: the hash is SHA-1", "[references]") {

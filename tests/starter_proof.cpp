@@ -20,7 +20,7 @@ std::string tag(std::string_view label) { return "[" + std::string(label) + "]";
 /// Every test of the task must fail, and say which task is missing, and where.
 bool fails_its_own(const TaskInfo& task, const StageTable& table, const std::filesystem::path& report) {
   const test::Totals totals = test::run_tests(tag(task.label), table, report);
-  const std::string folder(stage_list()[static_cast<std::size_t>(stage_of(task.label) - 1)].folder);
+  const std::string folder(stage_info(stage_of(task.label)).folder);
   const std::string message = "task " + std::string(task.label) + " is not written yet: stages/" + folder + "/starter.cpp:";
   return totals.passed == 0 && totals.failed > 0 && test::bytes_of(report).find(message) != std::string::npos;
 }

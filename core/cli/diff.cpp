@@ -3,7 +3,6 @@
 #include "core/image/data_folder.hpp"
 #include "core/image/diff_patterns.hpp"
 #include "core/image/diff_pictures.hpp"
-#include "core/image/file_hash.hpp"
 #include "core/image/image_file.hpp"
 #include "core/image/partial_file.hpp"
 #include "core/image/reference_file.hpp"
@@ -16,6 +15,8 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace raylab::cli {
 namespace {
@@ -45,10 +46,6 @@ const fs::path& renders() {
   return folder;
 }
 
-std::string stage_words(int stage) {
-  return "stage " + std::to_string(stage) + ", " + std::string(stage_list()[static_cast<std::size_t>(stage - 1)].name);
-}
-
 std::string scene_names(const Manifest& manifest) {
   std::string names;
   for (const SceneEntry& scene : manifest.scenes) names += " " + scene.name;
@@ -68,18 +65,13 @@ Chosen choose(const Diff& diff) {
   const SceneEntry& scene = scene_of(manifest, diff.scene);
   const int stage = find_stage(diff.stage.empty() ? std::string(stage_list().back().name) : diff.stage).number;
   const ReferenceEntry* entry = find_reference(scene, stage);
-  if (!entry) throw Failure("scene " + scene.name + " has no reference up to " + stage_words(stage), cannot_compare);
-  const fs::path file = renders() / entry->exr.file;
-  if (!fs::exists(file))
-    throw Failure(file.string() + ": is missing, though the manifest lists it: run 'raylab reference --update'",
-                  cannot_compare);
-  if (file_hash(file) != entry->exr.hash)
-    throw Failure(file.string() + ": is not the file that the manifest lists: run 'raylab reference --update'",
-                  cannot_compare);
-  std::string name = scene.name + " at " + stage_words(stage);
-  if (entry->stage != stage) name += " (nothing has changed since " + stage_words(entry->stage) + ")";
-  for (const std::string& sentence : changed_sources(data_folder(""), scene)) throw Failure(sentence, cannot_compare);
-  return {file, name, stage};
+  if (!entry) throw Failure("scene " + scene.name + " has no reference up to " + stage_title(stage), cannot_compare);
+  std::vector<std::string> broken = broken_files(renders(), *entry);
+  if (broken.empty()) broken = changed_sources(data_folder(""), scene);
+  if (!broken.empty()) throw Failure(broken.front(), cannot_compare);
+  std::string name = scene.name + " at " + stage_title(stage);
+  if (entry->stage != stage) name += " (nothing has changed since " + stage_title(entry->stage) + ")";
+  return {renders() / entry->exr.file, name, stage};
 }
 
 /// Before any pixel is decoded.
@@ -93,14 +85,20 @@ void require_size(const Diff& diff, const Reference& reference, const std::strin
                 cannot_compare);
 }
 
+/// The image to judge, which may be a reference itself.
+ImageFile values_of(const fs::path& path) {
+  Reference reference = read_reference(path);
+  return {std::move(reference.value), reference.format};
+}
+
 /// `stage`: that was asked for; 0 for the reference's own.
-std::optional<Finding> other_stage(const Reference& image, const Reference& reference, int stage) {
+std::optional<Finding> other_stage(const ImageFile& image, const Reference& reference, int stage) {
   const fs::path manifest_path = renders() / fs::path(manifest_file).filename();
   if (!reference.has_word() || !fs::exists(manifest_path)) return {};
   const Manifest manifest = read_manifest(manifest_path);
   const SceneEntry* scene = find_scene(manifest, reference.scene);
   if (!scene) return {};
-  return find_other_stage(image.value, image.format, *scene, stage > 0 ? stage : reference.stage, renders());
+  return find_other_stage(image.image, image.format, *scene, stage > 0 ? stage : reference.stage, renders());
 }
 
 const char* const page_name = "index.html";
@@ -151,9 +149,9 @@ bool run(const Diff& diff) {
   if (!std::all_of(reference.value.pixels.begin(), reference.value.pixels.end(), is_finite))
     throw Failure(chosen.file.string() + ": has pixels that are not finite numbers: nothing can be compared with them",
                   cannot_compare);
-  const Reference image = read_reference(diff.image);
-  Comparison comparison = compare(image.value, image.format, reference);
-  comparison.findings = find_patterns(image.value, reference, comparison);
+  const ImageFile image = values_of(diff.image);
+  Comparison comparison = compare(image.image, image.format, reference);
+  comparison.findings = find_patterns(image.image, reference, comparison);
   if (!comparison.same)
     if (const auto finding = other_stage(image, reference, chosen.stage))
       comparison.findings.insert(comparison.findings.begin(), *finding);
@@ -161,7 +159,7 @@ bool run(const Diff& diff) {
   const DiffTitle title{diff.image, chosen.name};
   std::cout << (diff.json ? diff_json(title, comparison) : diff_text(title, comparison));
   if (!diff.out.empty())
-    write_folder(diff.out, title, image.value, reference, comparison, diff.json ? std::cerr : std::cout);
+    write_folder(diff.out, title, image.image, reference, comparison, diff.json ? std::cerr : std::cout);
   return comparison.same;
 }
 

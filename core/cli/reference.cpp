@@ -9,6 +9,7 @@
 #include "core/scene/read_scene.hpp"
 #if defined(RAYLAB_WITH_ORACLE) && defined(RAYLAB_WITH_ENGINE)
 #include "core/cli/render_reference.hpp"
+#include "reference/oracle/oracle.hpp"
 #define RAYLAB_CAN_MAKE_REFERENCES
 #endif
 
@@ -134,13 +135,7 @@ class ReferenceMaker {
     return found && found->stage == stage ? found : nullptr;
   }
 
-  bool holds(const ReferenceEntry& entry) const {
-    const auto file_holds = [&](const HashedFile& file) {
-      const fs::path path = data_ / renders / file.file;
-      return fs::is_regular_file(path) && file_hash(path) == file.hash;
-    };
-    return file_holds(entry.exr) && file_holds(entry.png);
-  }
+  bool holds(const ReferenceEntry& entry) const { return broken_files(data_ / renders, entry).empty(); }
 
   /// What is finished of an entry, and of the old one what comes after.
   static SceneEntry merged(SceneEntry entry, const SceneEntry& old) {
@@ -184,7 +179,7 @@ class ReferenceMaker {
   }
 
   ReferenceEntry render(const Subject& subject, int stage) const {
-    const fs::path folder(stage_list()[static_cast<std::size_t>(stage - 1)].folder);
+    const fs::path folder(stage_info(stage).folder);
     const fs::path exr = folder / (subject.name + ".exr");
     const fs::path png = folder / (subject.name + ".png");
     write_reference(data_ / renders / exr, oracle_reference(subject, stage, 1, options_.threads));
@@ -207,7 +202,7 @@ class ReferenceMaker {
     std::size_t compared = 0, different = 0;
     for (int row = 0; row < now.value.height; ++row)
       for (int column = 0; column < now.value.width; ++column)
-        if (is_rendered(column, row, every)) {
+        if (is_sampled(column, row, every)) {
           const auto k =
               static_cast<std::size_t>(row) * static_cast<std::size_t>(now.value.width) + static_cast<std::size_t>(column);
           ++compared;

@@ -56,7 +56,7 @@ class Stopwatch {
 
 void write_stats(const Render& render, const Settings& settings, const Statistics& statistics, const RenderTotals& totals) {
   const nlohmann::ordered_json json = {{"scene", render.scene},
-                                       {"stage", stage_list()[static_cast<std::size_t>(settings.stage - 1)].name},
+                                       {"stage", stage_info(settings.stage).name},
                                        {"engine", render.options.engine},
                                        {"precision", precision_of(render.options)},
                                        {"width", settings.size.width},
@@ -111,7 +111,7 @@ void run(Render& render) {
   statistics.note_memory();
 
   const std::string name = fs::path(render.scene).stem().string();
-  const std::string stage(stage_list()[static_cast<std::size_t>(settings.stage - 1)].name);
+  const std::string stage(stage_info(settings.stage).name);
   const fs::path output = output_of(render, name, stage);
   require_different_files({render.scene, output, render.stats});
   const auto [width, height] = settings.size;

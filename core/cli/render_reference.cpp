@@ -18,8 +18,6 @@ constexpr int longer_side = 160;          // of a reference, in pixels
 constexpr int longer_side_picture = 320;  // of the picture for people
 constexpr int last_stage = 7;
 
-std::string stage_name(int stage) { return std::string(stage_list()[static_cast<std::size_t>(stage - 1)].name); }
-
 ImageSize fitted(ImageSize size, int side) {
   const int longer = std::max(size.width, size.height);
   const auto scaled = [&](int pixels) { return std::max(1, (pixels * side + longer / 2) / longer); };
@@ -46,7 +44,7 @@ std::vector<PixelWord> words(const Subject& subject, int stage, int every, unsig
   const Settings wanted = settings(subject.scene, stage, longer_side);
   std::vector<PixelWord> all(static_cast<std::size_t>(wanted.size.width) * static_cast<std::size_t>(wanted.size.height));
   const auto engine = make_witness(subject.scene, wanted, all, every);
-  watched_render(*engine, wanted.size, threads, subject.name + " " + stage_name(stage), [](int, auto) {});
+  watched_render(*engine, wanted.size, threads, subject.name + " " + std::string(stage_info(stage).name), [](int, auto) {});
   return all;
 }
 
@@ -101,14 +99,12 @@ Reference oracle_reference(const Subject& subject, int stage, int every, unsigne
   const auto undecided =
       std::count_if(all.begin(), all.end(), [](const PixelWord& word) { return !is_finite(word.together.value); });
   if (undecided > 0)
-    throw Failure(subject.name + ", stage " + stage_name(stage) + ": the oracle's precisions disagree on " +
+    throw Failure(subject.name + " at " + stage_title(stage) + ": the oracle's precisions disagree on " +
                   std::to_string(undecided) + " pixels: move the scene's geometries apart");
   Reference reference = reference_of(subject, stage, all);
   if (clampings_agree(reference)) reference.each.reset();
   return reference;
 }
-
-bool is_rendered(int column, int row, int every) { return is_sampled(column, row, every); }
 
 Image picture(const Scene& scene, int stage, unsigned threads) {
   return rendered_fast(scene, stage, longer_side_picture, threads);

@@ -21,12 +21,9 @@ struct Subject {
 /// The stages that need a reference: those whose image is not that of the stage before.
 std::vector<int> stages_that_change(const Scene& scene, unsigned threads);
 
-/// The oracle's word on every `every`-th pixel, evenly spread, as a reference; the other pixels are black.
+/// The oracle's word on every `every`-th pixel, those that is_sampled() names, as a reference; the others are black.
 /// Throws Failure if the oracle cannot decide a pixel.
 Reference oracle_reference(const Subject& subject, int stage, int every, unsigned threads);
-
-/// Is this pixel among every `every`-th?
-bool is_rendered(int column, int row, int every);
 
 /// The picture for people: larger, by the fast engine in double.
 Image picture(const Scene& scene, int stage, unsigned threads);

@@ -23,9 +23,8 @@ NumberFormat effective_format(const Image& image, NumberFormat format) {
 
 class Comparer {
  public:
-  Comparer(const Image& image, NumberFormat format, const Reference& reference, const PixelRanges& ranges,
-           const Tolerance& tolerance)
-      : image_(image), format_(format), reference_(reference), ranges_(ranges), tolerance_(tolerance) {}
+  Comparer(const Image& image, NumberFormat format, const Reference& reference, const PixelRanges& ranges)
+      : image_(image), format_(format), reference_(reference), ranges_(ranges) {}
 
   Comparison run() {
     result_.knows_decisions = reference_.has_word();
@@ -35,17 +34,16 @@ class Comparer {
     finish_errors();
     result_.densest = densest();
     decide();
-    keep_worst();
     return std::move(result_);
   }
 
  private:
   /// Where a decision is near, the sensitivity may be that of the decision, and allow any color.
-  bool is_near(std::size_t k) const { return reference_.margin[k] <= tolerance_.near_margin; }
+  bool is_near(std::size_t k) const { return reference_.margin[k] <= calibrated.near_margin; }
 
   /// What a right renderer's rounding may do to the pixel, and the file's to the number: tau in docs/tolerance.md.
   double tolerance(std::size_t k, double value) const {
-    return (is_near(k) ? 0 : tolerance_.gain * reference_.sensitivity[k]) + tolerance_.floor + half_step(format_, value) +
+    return (is_near(k) ? 0 : calibrated.gain * reference_.sensitivity[k]) + calibrated.floor + half_step(format_, value) +
            half_step(reference_.format, value);
   }
 
@@ -74,9 +72,7 @@ class Comparer {
     result_.at_decision += verdict == PixelVerdict::at_decision ? 1 : 0;
     if (verdict == PixelVerdict::outside) {
       ++result_.outside;
-      const int place = static_cast<int>(k);
-      result_.worst.push_back({place % image_.width, place / image_.width, image_.pixels[k], ranges_.least.pixels[k],
-                               ranges_.greatest.pixels[k], beyond});
+      keep_if_worst(k, beyond);
     }
     result_.error.push_back(number ? add_errors(k, near) : infinity);
   }
@@ -121,8 +117,8 @@ class Comparer {
   }
 
   void decide() {
-    result_.allowed = static_cast<std::size_t>(tolerance_.outside * static_cast<double>(image_.pixels.size()));
-    result_.densest_allowed = std::min(tolerance_.densest, result_.allowed);
+    result_.allowed = static_cast<std::size_t>(calibrated.outside * static_cast<double>(image_.pixels.size()));
+    result_.densest_allowed = std::min(calibrated.densest, result_.allowed);
     const auto share = [](std::size_t found, std::size_t allowed) {
       return found == 0 ? 0.0 : allowed == 0 ? infinity : static_cast<double>(found) / static_cast<double>(allowed);
     };
@@ -132,28 +128,33 @@ class Comparer {
     result_.same = result_.score <= 1;
   }
 
-  void keep_worst() {
-    const auto farther = [](const OutsidePixel& a, const OutsidePixel& b) { return a.distance > b.distance; };
-    std::stable_sort(result_.worst.begin(), result_.worst.end(), farther);
-    if (result_.worst.size() > shown) result_.worst.erase(result_.worst.begin() + shown, result_.worst.end());
+  /// The list stays sorted, and short however large the image is.
+  void keep_if_worst(std::size_t k, double beyond) {
+    std::vector<OutsidePixel>& worst = result_.worst;
+    const auto nearer = [](double distance, const OutsidePixel& pixel) { return distance > pixel.distance; };
+    const auto place = std::upper_bound(worst.begin(), worst.end(), beyond, nearer);
+    if (place == worst.end() && worst.size() == shown) return;
+    const int number = static_cast<int>(k);
+    worst.insert(place, {number % image_.width, number / image_.width, image_.pixels[k], ranges_.least.pixels[k],
+                         ranges_.greatest.pixels[k], beyond});
+    if (worst.size() > shown) worst.pop_back();
   }
 
   const Image& image_;
   const NumberFormat format_;
   const Reference& reference_;
   const PixelRanges& ranges_;
-  const Tolerance tolerance_;
   Comparison result_;
   double sum_ = 0, sum_of_squares_ = 0, sum_at_decisions_ = 0;
 };
 
 }  // namespace
 
-Comparison compare(const Image& image, NumberFormat format, const Reference& reference, const Tolerance& tolerance) {
+Comparison compare(const Image& image, NumberFormat format, const Reference& reference) {
   const NumberFormat steps = effective_format(image, format);
-  Comparison together = Comparer(image, steps, reference, reference, tolerance).run();
+  Comparison together = Comparer(image, steps, reference, reference).run();
   if (together.score == 0 || !reference.each) return together;
-  Comparison each = Comparer(image, steps, reference, *reference.each, tolerance).run();
+  Comparison each = Comparer(image, steps, reference, *reference.each).run();
   each.clamped_each = true;
   return each.score < together.score ? each : together;
 }

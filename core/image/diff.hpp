@@ -72,7 +72,6 @@ struct Comparison {
 /// Compares an image, read from a file of the given format, with a reference of the same size; with either way to clamp, and
 /// the better counts. An image whose numbers are all whole 255ths is taken as one of 8 bits. `findings` stay empty: see
 /// find_patterns().
-Comparison compare(const Image& image, NumberFormat format, const Reference& reference,
-                   const Tolerance& tolerance = calibrated);
+Comparison compare(const Image& image, NumberFormat format, const Reference& reference);
 
 }  // namespace raylab

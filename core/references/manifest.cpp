@@ -2,6 +2,7 @@
 
 #include "core/image/file_hash.hpp"
 #include "core/image/partial_file.hpp"
+#include "core/render/stage_table.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -36,8 +37,12 @@ SceneEntry scene_entry(const Json& json) {
   SceneEntry scene{json.at("name"), {}, {}};
   for (const Json& source : json.at("sources")) scene.sources.push_back(hashed_file(source));
   if (scene.sources.empty()) throw std::runtime_error("scene " + scene.name + " has no sources");
-  for (const Json& entry : json.at("references"))
-    scene.references.push_back({entry.at("stage"), hashed_file(entry.at("exr")), hashed_file(entry.at("png"))});
+  for (const Json& entry : json.at("references")) {
+    const int stage = entry.at("stage");
+    if (stage < 1 || stage > static_cast<int>(stage_list().size()))
+      throw std::runtime_error("scene " + scene.name + " has a reference at stage " + std::to_string(stage));
+    scene.references.push_back({stage, hashed_file(entry.at("exr")), hashed_file(entry.at("png"))});
+  }
   return scene;
 }
 
@@ -93,6 +98,13 @@ std::vector<std::string> changed_sources(const fs::path& data, const SceneEntry&
   return changed;
 }
 
+std::vector<std::string> broken_files(const fs::path& renders, const ReferenceEntry& reference) {
+  std::vector<std::string> broken;
+  for (const HashedFile& file : {reference.exr, reference.png})
+    check_file(renders, file, "is not the file that the manifest lists", broken);
+  return broken;
+}
+
 std::vector<std::string> broken_promises(const fs::path& data, const Manifest& manifest) {
   std::vector<std::string> broken;
   const fs::path renders = data / fs::path(manifest_file).parent_path();
@@ -100,11 +112,11 @@ std::vector<std::string> broken_promises(const fs::path& data, const Manifest& m
   for (const SceneEntry& scene : manifest.scenes) {
     for (const std::string& sentence : changed_sources(data, scene))
       if (std::find(broken.begin(), broken.end(), sentence) == broken.end()) broken.push_back(sentence);
-    for (const ReferenceEntry& entry : scene.references)
-      for (const HashedFile& file : {entry.exr, entry.png}) {
-        check_file(renders, file, "is not the file that the manifest lists", broken);
-        listed.insert(file.file);
-      }
+    for (const ReferenceEntry& entry : scene.references) {
+      const std::vector<std::string> sentences = broken_files(renders, entry);
+      broken.insert(broken.end(), sentences.begin(), sentences.end());
+      listed.insert({entry.exr.file, entry.png.file});
+    }
   }
   check_unlisted(renders, listed, broken);
   check_scenes(data, manifest, broken);

@@ -42,6 +42,9 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
 /// The files that a scene's references were made from and that have changed since, one sentence each.
 std::vector<std::string> changed_sources(const std::filesystem::path& data, const SceneEntry& scene);
 
+/// The files of a reference that are missing or not those that the manifest lists, one sentence each.
+std::vector<std::string> broken_files(const std::filesystem::path& renders, const ReferenceEntry& reference);
+
 /// Everything in which the manifest of a data folder does not hold, one sentence each: files that are missing, changed, or
 /// lie there unlisted; sources that changed since; scenes without references.
 std::vector<std::string> broken_promises(const std::filesystem::path& data, const Manifest& manifest);

@@ -34,11 +34,9 @@ std::optional<Finding> find_other_stage(const Image& image, NumberFormat format,
     if (reference.value.width != image.width || reference.value.height != image.height) continue;
     if (!compare(image, format, reference).same) continue;
     const int nearest = entry.stage > stage ? entry.stage : std::min(last_stage_of(scene, k), stage - 1);
-    const std::string name =
-        std::to_string(nearest) + ", " + std::string(stage_list()[static_cast<std::size_t>(nearest - 1)].name);
     const int behind = stage - nearest;
     return Finding{"other-stage",
-                   "This is what stage " + name + ", gives: " +
+                   "This is what " + stage_title(nearest) + ", gives: " +
                        (behind > 0 ? counted_stages(behind) + " behind." : counted_stages(-behind) + " ahead.")};
   }
   return {};

@@ -46,6 +46,12 @@ std::span<const StageInfo> stage_list() { return all_stages; }
 
 std::span<const TaskInfo> task_list() { return all_tasks; }
 
+const StageInfo& stage_info(int number) { return stage_list()[static_cast<std::size_t>(number - 1)]; }
+
+std::string stage_title(int number) {
+  return "stage " + std::to_string(number) + ", " + std::string(stage_info(number).name);
+}
+
 int stage_of(std::string_view task_label) {
   int stage = 0;
   std::from_chars(task_label.data(), task_label.data() + task_label.size(), stage);

@@ -34,6 +34,12 @@ struct StageInfo {
 std::span<const StageInfo> stage_list();
 std::span<const TaskInfo> task_list();
 
+/// The stage of that number, which must exist.
+const StageInfo& stage_info(int number);
+
+/// "stage 4, shadows".
+std::string stage_title(int number);
+
 /// The number of the stage that a task belongs to: 5 for "5.1".
 int stage_of(std::string_view task_label);
 

@@ -1,10 +1,10 @@
 #include "core/report/diff_page.hpp"
 
+#include "core/image/base64.hpp"
 #include "core/image/diff_pictures.hpp"
 #include "core/image/image_file.hpp"
+#include "core/report/comparison_json.hpp"
 #include "core/report/diff_page_html.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@
 namespace raylab {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// Writes bytes as lines of base64, each of which can be decoded alone.
 class Base64Lines {
@@ -27,7 +27,7 @@ class Base64Lines {
   explicit Base64Lines(std::ostream& out) : out_(out) { bytes_.reserve(line_bytes); }
 
   void byte(unsigned value) {
-    bytes_.push_back(static_cast<unsigned char>(value & 0xff));
+    bytes_.push_back(static_cast<char>(value & 0xff));
     if (bytes_.size() == line_bytes) end_line();
   }
 
@@ -45,27 +45,15 @@ class Base64Lines {
   }
 
   void end_line() {
-    std::string line;
-    line.reserve(bytes_.size() / 3 * 4 + 5);
-    for (std::size_t k = 0; k < bytes_.size(); k += 3) append_group(line, k);
-    out_ << line << '\n';
+    out_ << base64(bytes_) << '\n';
     bytes_.clear();
   }
 
  private:
   static constexpr std::size_t line_bytes = 3 * 16384;
 
-  /// Up to three bytes from the k-th on, as four characters.
-  void append_group(std::string& line, std::size_t k) const {
-    static constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::size_t count = std::min<std::size_t>(3, bytes_.size() - k);
-    unsigned group = 0;
-    for (std::size_t j = 0; j < 3; ++j) group = group << 8 | (j < count ? bytes_[k + j] : 0u);
-    for (std::size_t j = 0; j < 4; ++j) line += j <= count ? digits[group >> (18 - 6 * j) & 63] : '=';
-  }
-
   std::ostream& out_;
-  std::vector<unsigned char> bytes_;
+  std::string bytes_;
 };
 
 std::string html_escaped(std::string_view text) {
@@ -79,46 +67,6 @@ std::string html_escaped(std::string_view text) {
       escaped += c;
   }
   return escaped;
-}
-
-/// A number as JSON; what JSON has no numbers for, as the text that JavaScript's Number() reads.
-Json json_number(double value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
-  return value;
-}
-
-Json json_color(const Color& c) { return Json::array({json_number(c.r), json_number(c.g), json_number(c.b)}); }
-
-Json json_of(const OutsidePixel& pixel) {
-  return {{"column", pixel.column},
-          {"row", pixel.row},
-          {"image", json_color(pixel.image)},
-          {"least", json_color(pixel.least)},
-          {"greatest", json_color(pixel.greatest)},
-          {"distance", json_number(pixel.distance)}};
-}
-
-Json json_of(const Comparison& comparison) {
-  Json worst = Json::array();
-  for (const OutsidePixel& pixel : comparison.worst) worst.push_back(json_of(pixel));
-  Json findings = Json::array();
-  for (const Finding& finding : comparison.findings) findings.push_back(finding.text);
-  return {{"same", comparison.same},
-          {"clampedEach", comparison.clamped_each},
-          {"outside", comparison.outside},
-          {"allowed", comparison.allowed},
-          {"densest", comparison.densest},
-          {"densestAllowed", comparison.densest_allowed},
-          {"atDecision", comparison.at_decision},
-          {"nonFinite", comparison.non_finite},
-          {"maxError", json_number(comparison.max_error)},
-          {"meanError", json_number(comparison.mean_error)},
-          {"rmse", json_number(comparison.rmse)},
-          {"psnr", json_number(comparison.psnr)},
-          {"shareAtDecisions", json_number(comparison.share_at_decisions)},
-          {"worst", std::move(worst)},
-          {"findings", std::move(findings)}};
 }
 
 /// A color as it is shown, in three bytes.
@@ -144,7 +92,7 @@ Json json_of(const DiffPage& page) {
           {"hasWord", reference.has_word()},
           {"colorMap", json_of(page.color_map)},
           {"nonFiniteColor", json_bytes(non_finite_color)},
-          {"comparison", json_of(page.comparison)}};
+          {"comparison", comparison_json(page.comparison)}};
 }
 
 /// JSON for a <script> element, which `</script>` would end and `<!--` would change: no `<` stays as it is.

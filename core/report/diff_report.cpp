@@ -1,6 +1,6 @@
 #include "core/report/diff_report.hpp"
 
-#include <nlohmann/json.hpp>
+#include "core/report/comparison_json.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,8 +9,6 @@
 
 namespace raylab {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <class... Values>
 std::string format(const char* pattern, Values... values) {
@@ -53,9 +51,6 @@ std::string worst_lines(const Comparison& c) {
   return text;
 }
 
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json components(const Color& c) { return {finite(c.r), finite(c.g), finite(c.b)}; }
-
 }  // namespace
 
 std::string diff_text(const DiffTitle& title, const Comparison& c) {
@@ -72,37 +67,9 @@ std::string diff_text(const DiffTitle& title, const Comparison& c) {
 }
 
 std::string diff_json(const DiffTitle& title, const Comparison& c) {
-  Json worst = Json::array();
-  for (const OutsidePixel& pixel : c.worst)
-    worst.push_back({{"column", pixel.column},
-                     {"row", pixel.row},
-                     {"image", components(pixel.image)},
-                     {"least", components(pixel.least)},
-                     {"greatest", components(pixel.greatest)},
-                     {"distance", finite(pixel.distance)}});
-  Json findings = Json::array();
-  for (const Finding& finding : c.findings) findings.push_back({{"kind", finding.kind}, {"text", finding.text}});
-  const Json json = {{"verdict", c.same ? "same" : "differs"},
-                     {"image", title.image},
-                     {"reference", title.reference},
-                     {"width", c.width},
-                     {"height", c.height},
-                     {"score", finite(c.score)},
-                     {"outside", c.outside},
-                     {"allowed", c.allowed},
-                     {"densest", c.densest},
-                     {"densest_allowed", c.densest_allowed},
-                     {"at_decision", c.at_decision},
-                     {"non_finite", c.non_finite},
-                     {"clamped_each", c.clamped_each},
-                     {"max_error", finite(c.max_error)},
-                     {"mean_error", finite(c.mean_error)},
-                     {"rmse", finite(c.rmse)},
-                     {"psnr", finite(c.psnr)},
-                     {"share_at_decisions", c.share_at_decisions},
-                     {"findings", findings},
-                     {"worst", worst}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  nlohmann::ordered_json json = {{"image", title.image}, {"reference", title.reference}};
+  json.update(comparison_json(c));
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace raylab

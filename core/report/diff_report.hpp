@@ -15,7 +15,7 @@ struct DiffTitle {
 /// The comparison in a few lines for people, each ended by a line break.
 std::string diff_text(const DiffTitle& title, const Comparison& comparison);
 
-/// The comparison as JSON for programs; infinite numbers are null.
+/// The comparison as JSON for programs: comparison_json(), and the names.
 std::string diff_json(const DiffTitle& title, const Comparison& comparison);
 
 }  // namespace raylab

@@ -256,15 +256,16 @@ async function assertNoAxeViolations(page, what) {
 
 const tests = {
   async 'the header says the verdict in words, the texts as they were given, and the numbers'(page, {report}) {
-    assert.equal(await text(page, '#verdict .word'), report.comparison.same ? 'Same' : 'Differs');
+    assert.equal(await text(page, '#verdict .word'), report.comparison.verdict === 'same' ? 'Same' : 'Differs');
     const shown = (selector) => page.locator(selector).evaluate((element) => element.textContent);
     assert.equal(await shown('#title'), report.title);
     assert((await shown('#names')).includes(report.imageName) && (await shown('#names')).includes(report.referenceName));
     assert.equal(await page.locator('#findings li').count(), report.comparison.findings.length);
-    for (const [k, finding] of report.comparison.findings.entries())
-      assert.equal(await shown(`#findings li >> nth=${k}`), finding);
+    for (const [k, {text}] of report.comparison.findings.entries())
+      assert.equal(await shown(`#findings li >> nth=${k}`), text);
     const values = await page.locator('#stats .value').allTextContents();
-    const {outside, densest, atDecision, nonFinite, maxError, meanError, rmse, psnr} = report.comparison;
+    const {outside, densest, at_decision: atDecision, non_finite: nonFinite, max_error: maxError, mean_error: meanError,
+      rmse, psnr} = report.comparison;
     assert.deepEqual(
         values.slice(0, 4), [outside, densest, atDecision, nonFinite].map((count) => count.toLocaleString('en')));
     for (const [k, number] of [maxError, meanError, rmse, psnr].entries()) {
