@@ -85,7 +85,7 @@ void check_stage(int stage) {
     std::vector<PixelWord> truth(13 * 10);
     const Rendered oracle = run(*make_witness(*file.scene, settings, truth, 1), settings.size);
     const Rendered solution = run(*make_stages(*file.scene, settings, table()), settings.size);
-    const Rendered fast = run(*make_fast(*file.scene, settings, Precision::f64), settings.size);
+    const Rendered fast = run(*make_fast(*file.scene, settings, {Precision::f64}), settings.size);
     check_word(truth, path.stem().string());
     CHECK(largest_deviation(solution.pixels, truth) <= 1);
     CHECK(largest_deviation(fast.pixels, truth) <= 1);

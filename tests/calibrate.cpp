@@ -101,8 +101,8 @@ std::vector<Right> right_renderers() {
   std::vector<Right> all{
       {"the solution",
        [](const Scene& s, const Settings& c) { return make_stages(s, c, import_tasks(*raylab_tasks_solution())); }},
-      {"the engine in double", [](const Scene& s, const Settings& c) { return make_fast(s, c, Precision::f64); }},
-      {"the engine in float", [](const Scene& s, const Settings& c) { return make_fast(s, c, Precision::f32); }}};
+      {"the engine in double", [](const Scene& s, const Settings& c) { return make_fast(s, c, {Precision::f64}); }},
+      {"the engine in float", [](const Scene& s, const Settings& c) { return make_fast(s, c, {Precision::f32}); }}};
   const auto add = [&](const HandoutBuild& build, const std::string& name, const Variant& variant) {
     all.push_back({"handout, " + std::string(build.name) + ", " + name,
                    [build, variant](const Scene& s, const Settings& c) { return build.make(s, c, variant); }});

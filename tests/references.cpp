@@ -54,7 +54,7 @@ void check_stage(int stage) {
                reference);
 #ifdef RAYLAB_WITH_ENGINE
     for (const Precision precision : {Precision::f64, Precision::f32})
-      check_same("the engine", scene, stage, render_image(*make_fast(*file.scene, settings, precision), settings.size, 2),
+      check_same("the engine", scene, stage, render_image(*make_fast(*file.scene, settings, {precision}), settings.size, 2),
                  reference);
 #endif
   }

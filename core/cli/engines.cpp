@@ -1,6 +1,7 @@
 #include "core/cli/engines.hpp"
 
 #include "core/cli/command.hpp"
+#include "core/cli/watched_render.hpp"
 #include "core/render/stages_engine.hpp"
 #ifdef RAYLAB_WITH_ENGINE
 #include "reference/engine/engine.hpp"
@@ -119,7 +120,8 @@ std::unique_ptr<Engine> make_engine(const Scene& scene, const Settings& settings
 #ifdef RAYLAB_WITH_ENGINE
   if (options.engine == "fast") {
     require_built_in_stage(settings, options.engine);
-    return make_fast(scene, settings, precision == "f32" ? Precision::f32 : Precision::f64);
+    return make_fast(scene, settings,
+                     {.precision = precision == "f32" ? Precision::f32 : Precision::f64, .threads = thread_count(options.threads)});
   }
 #endif
 #ifdef RAYLAB_WITH_ORACLE

@@ -34,7 +34,7 @@ Image rendered_fast(const Scene& scene, int stage, int side, unsigned threads) {
   const auto sink = [&](int first_row, std::span<const Color> rows) {
     std::copy(rows.begin(), rows.end(), &image.at(0, first_row));
   };
-  const auto engine = make_fast(scene, wanted, Precision::f64);
+  const auto engine = make_fast(scene, wanted, {Precision::f64});
   watched_render(*engine, wanted.size, threads, "stages", sink);
   return image;
 }

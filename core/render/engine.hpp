@@ -51,6 +51,9 @@ class Engine {
   /// Throws Cancelled within a few milliseconds once `cancel` is set.
   virtual void trace_rows(int first_row, std::span<Color> pixels, RayCounts& counts,
                           const std::atomic<bool>& cancel) const = 0;
+
+  /// How many rows trace_rows() likes to be given at a time.
+  virtual int rows_at_once() const { return 1; }
 };
 
 }  // namespace raylab

@@ -105,10 +105,12 @@ class Bands {
     const auto width = static_cast<std::size_t>(size_.width);
     std::vector<Color> pixels(static_cast<std::size_t>(rows) * width);
     RayCounts counts;
-    for (int row = 0; row < rows; ++row) {
-      const std::span<Color> one = std::span(pixels).subspan(static_cast<std::size_t>(row) * width, width);
-      engine_.trace_rows(first_row + row, one, counts, stop_);
-      ++rows_done_;
+    for (int row = 0; row < rows;) {
+      const int some = std::min(engine_.rows_at_once(), rows - row);
+      const auto at = static_cast<std::size_t>(row) * width, length = static_cast<std::size_t>(some) * width;
+      engine_.trace_rows(first_row + row, std::span(pixels).subspan(at, length), counts, stop_);
+      rows_done_ += some;
+      row += some;
     }
     const std::lock_guard lock(mutex_);
     counts_ += counts;

@@ -1,40 +1,69 @@
 #include "reference/engine/engine.hpp"
 
-#include "reference/engine/tracer.hpp"
+#include "reference/engine/kernel.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
 
 namespace raylab {
 namespace fast {
 namespace {
 
-/// A NaN stays one: the program counts and reports it.
-double clamped(double c) { return c < 0 ? 0 : c > 1 ? 1 : c; }
-
 template <class T>
 class FastEngine : public Engine {
  public:
-  FastEngine(const Scene& scene, const Settings& settings) : scene_(prepare<T>(scene, settings)) {}
+  FastEngine(Prepared<T> scene, TraceRows<T> trace) : scene_(std::move(scene)), trace_(trace) {}
+
+  int rows_at_once() const override { return 8; }
 
   void trace_rows(int first_row, std::span<Color> pixels, RayCounts& counts,
                   const std::atomic<bool>& cancel) const override {
-    const std::size_t width = static_cast<std::size_t>(scene_.settings.size.width);
-    Tracer<T> tracer(scene_, counts, cancel);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      if (cancel.load(std::memory_order_relaxed)) throw Cancelled{};
-      const Color color = tracer.pixel(static_cast<int>(i % width), first_row + static_cast<int>(i / width));
-      pixels[i] = {clamped(color.x), clamped(color.y), clamped(color.z)};
-    }
+    trace_(scene_, first_row, pixels, counts, cancel);
   }
 
  private:
   const Prepared<T> scene_;
+  const TraceRows<T> trace_;
 };
+
+std::vector<Kernel> kernels() {
+  std::vector<Kernel> all = pack_kernels();
+  all.push_back(scalar_kernel);
+  return all;
+}
+
+Kernel find_kernel(std::string_view simd, const std::string& who) {
+  const std::vector<Kernel> all = kernels();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Kernel& kernel) { return kernel.simd == simd; });
+  if (found != all.end()) return *found;
+  std::string known;
+  for (const Kernel& kernel : all) known += (known.empty() ? "" : ", ") + std::string(kernel.simd);
+  throw std::invalid_argument(who + ": there is no '" + std::string(simd) + "' on this machine; there are " + known);
+}
 
 }  // namespace
 }  // namespace fast
 
-std::unique_ptr<Engine> make_fast(const Scene& scene, const Settings& settings, Precision precision) {
-  if (precision == Precision::f32) return std::make_unique<fast::FastEngine<float>>(scene, settings);
-  return std::make_unique<fast::FastEngine<double>>(scene, settings);
+std::vector<SimdTarget> simd_targets() {
+  std::vector<SimdTarget> targets;
+  for (const fast::Kernel& kernel : fast::kernels()) targets.push_back({kernel.simd, kernel.lanes_f32, kernel.lanes_f64});
+  return targets;
+}
+
+std::string_view default_simd_target() {
+  const char* const wanted = std::getenv("RAYLAB_SIMD");
+  if (wanted == nullptr || *wanted == '\0') return fast::kernels().front().simd;
+  return fast::find_kernel(wanted, "RAYLAB_SIMD").simd;
+}
+
+std::unique_ptr<Engine> make_fast(const Scene& scene, const Settings& settings, const FastOptions& options) {
+  const fast::Kernel kernel =
+      fast::find_kernel(options.simd.empty() ? default_simd_target() : std::string_view(options.simd), "instruction set");
+  const auto make = [&]<class T>(fast::TraceRows<T> trace) -> std::unique_ptr<Engine> {
+    return std::make_unique<fast::FastEngine<T>>(fast::prepare<T>(scene, settings, options.hierarchy, options.threads), trace);
+  };
+  return options.precision == Precision::f32 ? make(kernel.trace_f32) : make(kernel.trace_f64);
 }
 
 }  // namespace raylab

@@ -1,27 +1,25 @@
 #include "reference/engine/prepared.hpp"
 
+#include "reference/engine/parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <type_traits>
 
 namespace raylab::fast {
 namespace {
 
-using Double3 = Vec3<double>;
-
-Double3 own(const raylab::Vec3& v) { return {v.x, v.y, v.z}; }
+/// From so many spheres on a hierarchy is faster than asking each.
+constexpr std::size_t least_for_hierarchy = 24;
+/// Numbers beyond this stay out of a hierarchy: its boxes are floats.
+constexpr double largest_in_hierarchy = 1e15;
 
 template <class T>
-Vec3<T> to(const Double3& v) {
+Point<T> to(const Vec3& v) {
   return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
-}
-
-/// `v` times the power of two that makes its largest component 1 to 2: the same direction, to the bit, and safe to square.
-Double3 scaled(const raylab::Vec3& v) {
-  const int exponent = -std::ilogb(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
-  return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
 }
 
 /// a b - c d to two roundings of the result, however close the products are (Kahan).
@@ -30,7 +28,7 @@ double difference_of_products(double a, double b, double c, double d) {
   return std::fma(a, b, -cd) + std::fma(-c, d, cd);
 }
 
-Double3 cross(const Double3& a, const Double3& b) {
+Vec3 exact_cross(const Vec3& a, const Vec3& b) {
   return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
@@ -39,30 +37,15 @@ Double3 cross(const Double3& a, const Double3& b) {
 /// rounding would turn the picture.
 template <class T>
 PreparedCamera<T> prepare_camera(const Camera& camera, const ImageSize& size) {
-  const Double3 forward = unit(scaled(camera.facing));
-  const Double3 right = unit(cross(scaled(camera.facing), scaled(camera.up)));
-  const Double3 up = cross(right, forward);
+  const Vec3 forward = unit(camera.facing);
+  const Vec3 right = unit(exact_cross(scaled(camera.facing), scaled(camera.up)));
+  const Vec3 up = exact_cross(right, forward);
   const double pixel = 2 * std::tan(camera.half_field_of_view * std::numbers::pi / 180) / std::max(size.width, size.height);
-  return {to<T>(own(camera.position)), to<T>(forward), to<T>(pixel * right), to<T>(pixel * up)};
-}
-
-template <class T>
-Finish<T> prepare_finish(const Material& material, int stage) {
-  const double k_s = std::tanh(material.shininess / 400);  // the handout's quotient, free of cancellation at small alpha
-  const double n = material.refractive_index;
-  const double r = (1 - n) / (1 + n);
-  const bool perfect = std::isinf(material.shininess);
-  return {.alpha = perfect ? T(0) : static_cast<T>(material.shininess),
-          .highlight = perfect ? T(0) : static_cast<T>(k_s),
-          .mirror = stage >= 5 ? static_cast<T>(k_s) : T(0),
-          .glass = stage >= 6 && material.transparent,
-          .n = static_cast<T>(n),
-          .n_squared_minus_1 = static_cast<T>((n - 1) * (n + 1)),
-          .r0 = static_cast<T>(r * r)};
+  return {to<T>(camera.position), to<T>(forward), to<T>(pixel * right), to<T>(pixel * up)};
 }
 
 /// The sign of a.b; 0 where rounding `a`, `b` and the sum may have made an exact zero into this.
-std::int8_t sign_of_dot(const Double3& a, const Double3& b) {
+std::int8_t sign_of_dot(const Vec3& a, const Vec3& b) {
   const double size = std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z);
   const double margin = 4 * std::numeric_limits<double>::epsilon() * size;
   const double value = dot(a, b);
@@ -72,92 +55,268 @@ std::int8_t sign_of_dot(const Double3& a, const Double3& b) {
 Sides sides_of(const PointLight& light, const Scene& scene) {
   Sides sides;
   for (const PlaneObject& plane : scene.planes)
-    sides.push_back(sign_of_dot(own(plane.shape.point - light.position), unit(scaled(plane.shape.normal))));
+    sides.push_back(sign_of_dot(plane.shape.point - light.position, unit(plane.shape.normal)));
   return sides;
 }
 
 Sides sides_of(const DirectionalLight& light, const Scene& scene) {
   Sides sides;
   for (const PlaneObject& plane : scene.planes)
-    sides.push_back(sign_of_dot(unit(scaled(light.direction)), unit(scaled(plane.shape.normal))));
+    sides.push_back(sign_of_dot(unit(light.direction), unit(plane.shape.normal)));
   return sides;
+}
+
+/// A run of the scene's spheres that share a material: one [[sphere]], or a cloud.
+struct Batch {
+  std::span<const Sphere> spheres;
+  std::span<const Color> colors;  ///< one, or one for each
+  GeometryId first_id;
+  std::size_t finish;
+
+  const Color& color(std::size_t i) const { return colors[colors.size() == 1 ? 0 : i]; }
+};
+
+/// The spheres of several batches as one list.
+class SphereList {
+ public:
+  struct Place {
+    const Batch& batch;
+    std::size_t i;
+  };
+
+  explicit SphereList(std::vector<Batch> batches) : batches_(std::move(batches)) {
+    for (const Batch& batch : batches_) {
+      starts_.push_back(size_);
+      size_ += batch.spheres.size();
+    }
+    if (batches_.size() == 1) return;
+    joined_.reserve(size_);
+    for (const Batch& batch : batches_) joined_.insert(joined_.end(), batch.spheres.begin(), batch.spheres.end());
+  }
+
+  std::size_t size() const { return size_; }
+  std::span<const Sphere> spheres() const { return batches_.size() == 1 ? batches_[0].spheres : joined_; }
+
+  Place operator[](std::size_t k) const {
+    const auto next = batches_.size() == 1 ? starts_.end() : std::upper_bound(starts_.begin(), starts_.end(), k);
+    const auto at = static_cast<std::size_t>(next - starts_.begin()) - 1;
+    return {batches_[at], k - starts_[at]};
+  }
+
+ private:
+  std::vector<Batch> batches_;
+  std::vector<std::size_t> starts_;
+  std::size_t size_ = 0;
+  std::vector<Sphere> joined_;  // where one batch is not all
+};
+
+double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// The spheres that a hierarchy should not have: those that floats cannot hold, and, up to eight of them, the largest whose
+/// radius is beyond half of what all centres span: a box around such a ground would be a box around everything.
+std::vector<std::uint32_t> giants_of(std::span<const Sphere> spheres) {
+  constexpr std::size_t most = 8;
+  Vec3 low(largest_in_hierarchy), high(-largest_in_hierarchy);
+  for (const Sphere& sphere : spheres) {
+    low = min(low, sphere.center);
+    high = max(high, sphere.center);
+  }
+  const double half_span = 0.5 * largest_component(high - low);
+  std::vector<std::uint32_t> unfit, large;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const double radius = spheres[i].radius;
+    if (!(std::max(largest_component(spheres[i].center), radius) <= largest_in_hierarchy))
+      unfit.push_back(static_cast<std::uint32_t>(i));
+    else if (radius > half_span)
+      large.push_back(static_cast<std::uint32_t>(i));
+  }
+  std::stable_sort(large.begin(), large.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return spheres[a].radius > spheres[b].radius; });
+  unfit.insert(unfit.end(), large.begin(), large.begin() + static_cast<std::ptrdiff_t>(std::min(most, large.size())));
+  std::sort(unfit.begin(), unfit.end());
+  return unfit;
+}
+
+/// The order in which to keep the spheres of a group: first those that are looped over, then those of the hierarchy.
+struct GroupOrder {
+  std::vector<std::uint32_t> order;
+  std::size_t looped = 0;
+  std::optional<Hierarchy> hierarchy;
+};
+
+GroupOrder order_of(std::span<const Sphere> spheres, bool hierarchy, unsigned threads) {
+  GroupOrder result;
+  if (hierarchy && spheres.size() >= least_for_hierarchy && spheres.size() <= Hierarchy::most_spheres)
+    result.order = giants_of(spheres);
+  const std::vector<std::uint32_t> giants = result.order;
+  result.looped = giants.size();
+  if (!hierarchy || spheres.size() - giants.size() < least_for_hierarchy || spheres.size() > Hierarchy::most_spheres) {
+    result.order.resize(spheres.size());
+    std::iota(result.order.begin(), result.order.end(), 0u);
+    result.looped = spheres.size();
+    return result;
+  }
+  if (giants.empty()) {
+    result.hierarchy.emplace(spheres, threads);
+    result.order = result.hierarchy->take_order();
+    return result;
+  }
+  std::vector<std::uint32_t> rest(spheres.size());
+  std::iota(rest.begin(), rest.end(), 0u);
+  for (auto giant = giants.rbegin(); giant != giants.rend(); ++giant) rest.erase(rest.begin() + *giant);
+  std::vector<Sphere> without;
+  for (const std::uint32_t i : rest) without.push_back(spheres[i]);
+  result.hierarchy.emplace(without, threads);
+  for (const std::uint32_t k : result.hierarchy->take_order()) result.order.push_back(rest[k]);
+  return result;
 }
 
 template <class T>
 class Builder {
  public:
-  explicit Builder(Prepared<T>& out) : out_(out) {}
+  Builder(Prepared<T>& out, const Scene& scene, unsigned threads) : out_(out), scene_(scene), threads_(threads) {}
 
-  void add_finish(const Material& material) { out_.finishes.push_back(prepare_finish<T>(material, out_.settings.stage)); }
-
-  void add_plane(const PlaneObject& plane) {
-    add_finish(plane.material);
-    add_surface(plane.material.color);
-    out_.planes.point.push_back(to<T>(own(plane.shape.point)));
-    out_.planes.normal.push_back(to<T>(unit(scaled(plane.shape.normal))));
+  void add_planes() {
+    out_.surfaces.numbers.resize(scene_.planes.size() * surface_columns);
+    for (const PlaneObject& plane : scene_.planes) {
+      out_.planes.point.push_back(to<T>(plane.shape.point));
+      out_.planes.normal.push_back(to<T>(unit(plane.shape.normal)));
+      add_finish(plane.material);
+      set_surface(out_.planes.point.size() - 1, plane.material.color, finish_count() - 1);
+    }
   }
 
-  /// The finish is the one added last.
-  void add_sphere(const Sphere& sphere, const Color& color, bool transparent) {
-    Spheres<T>& spheres = out_.spheres;
-    const std::size_t place = spheres.radius.size();
-    spheres.center.push_back(to<T>(own(sphere.center)));
-    spheres.radius.push_back(static_cast<T>(sphere.radius));
-    add_surface(color);
-    if (transparent) return;
-    if (spheres.opaque.empty() || spheres.opaque.back().end != place)
-      spheres.opaque.push_back({place, place + 1});
-    else
-      ++spheres.opaque.back().end;
+  void add_spheres(bool hierarchy) {
+    std::vector<Batch> opaque, glass;
+    GeometryId id = static_cast<GeometryId>(scene_.planes.size());
+    const auto add = [&](std::span<const Sphere> spheres, std::span<const Color> colors, const Material& material) {
+      add_finish(material);
+      (material.transparent ? glass : opaque).push_back({spheres, colors, id, finish_count() - 1});
+      id += static_cast<GeometryId>(spheres.size());
+    };
+    for (const SphereObject& sphere : scene_.spheres) add({&sphere.shape, 1}, {&sphere.material.color, 1}, sphere.material);
+    for (const SphereCloud& cloud : scene_.clouds)
+      add(cloud.spheres, cloud.colors.empty() ? std::span(&cloud.material.color, 1) : std::span(cloud.colors), cloud.material);
+    add_group(SphereList(std::move(opaque)), hierarchy, out_.spheres.opaque);
+    add_group(SphereList(std::move(glass)), hierarchy, out_.spheres.glass);
   }
 
-  void add_lights(const Scene& scene) {
+  void add_lights() {
     double ambient = 0;
-    for (const AmbientLight& light : scene.ambient_lights) ambient += light.intensity;
+    for (const AmbientLight& light : scene_.ambient_lights) ambient += light.intensity;
     out_.ambient = static_cast<T>(ambient);
-    for (const PointLight& light : scene.point_lights)
-      out_.point_lights.push_back({to<T>(own(light.position)), static_cast<T>(light.intensity), sides_of(light, scene)});
-    for (const DirectionalLight& light : scene.directional_lights)
-      out_.directional_lights.push_back(
-          {to<T>(-unit(scaled(light.direction))), static_cast<T>(light.intensity), sides_of(light, scene)});
+    for (const PointLight& light : scene_.point_lights)
+      out_.point_lights.push_back({to<T>(light.position), static_cast<T>(light.intensity), sides_of(light, scene_)});
+    for (const DirectionalLight& light : scene_.directional_lights)
+      out_.directional_lights.push_back({to<T>(-unit(light.direction)), static_cast<T>(light.intensity), sides_of(light, scene_)});
+  }
+
+  void note_features() {
+    Features& features = out_.features;
+    features.shadows = out_.settings.stage >= 4;
+    for (std::size_t row = 0; row < finish_count(); ++row) {
+      const T* const finish = &out_.finishes.numbers[row * finish_columns];
+      features.highlights = features.highlights || finish[strength] > 0;
+      features.mirrors = features.mirrors || finish[mirror] > 0;
+      features.glass = features.glass || finish[is_glass] > 0;
+    }
+    const auto in_plane = [](const auto& light) { return std::count(light.sides.begin(), light.sides.end(), 0) > 0; };
+    features.lights_in_planes = std::any_of(out_.point_lights.begin(), out_.point_lights.end(), in_plane) ||
+                                std::any_of(out_.directional_lights.begin(), out_.directional_lights.end(), in_plane);
   }
 
  private:
-  void add_surface(const Color& color) {
-    out_.colors.push_back(to<T>(own(color)));
-    out_.finish_of.push_back(static_cast<std::uint32_t>(out_.finishes.size() - 1));
+  std::size_t finish_count() const { return out_.finishes.rows(); }
+
+  void add_finish(const Material& material) {
+    const double k_s = std::tanh(material.shininess / 400);  // the handout's quotient, free of cancellation at small alpha
+    const double n = material.refractive_index;
+    const double r = (1 - n) / (1 + n);
+    const bool perfect = std::isinf(material.shininess);
+    const bool glass = out_.settings.stage >= 6 && material.transparent;
+    std::array<double, finish_columns> row{};
+    row[alpha] = perfect ? 0 : material.shininess;
+    row[strength] = perfect ? 0 : k_s;
+    row[mirror] = out_.settings.stage >= 5 && !glass ? k_s : 0;
+    row[is_glass] = glass ? 1 : 0;
+    row[ior] = n;
+    row[ior_squared_minus_1] = (n - 1) * (n + 1);
+    row[r0] = r * r;
+    for (const double number : row) out_.finishes.numbers.push_back(static_cast<T>(number));
+  }
+
+  void set_surface(std::size_t place, const Color& color, std::size_t finish_row) {
+    T* const row = &out_.surfaces.numbers[place * surface_columns];
+    row[red] = static_cast<T>(color.r);
+    row[green] = static_cast<T>(color.g);
+    row[blue] = static_cast<T>(color.b);
+    row[finish] = static_cast<T>(finish_row);
+  }
+
+  void add_group(const SphereList& list, bool hierarchy, SphereGroup& group) {
+    GroupOrder order = order_of(list.spheres(), hierarchy, threads_);
+    Spheres<T>& spheres = out_.spheres;
+    group.begin = spheres.radius.size();
+    group.loop_end = group.begin + order.looped;
+    group.hierarchy = std::move(order.hierarchy);
+    resize(group.begin + list.size() + Spheres<T>::padding);
+    constexpr std::size_t shares = 16;
+    in_parallel(shares, threads_, [&](std::size_t i) {
+      const Share share(list.size(), i, shares);
+      for (std::size_t k = share.begin; k < share.end; ++k) set_sphere(group.begin + k, list, order.order[k]);
+    });
+  }
+
+  /// New places hold no sphere.
+  void resize(std::size_t count) {
+    constexpr T none = std::numeric_limits<T>::quiet_NaN();
+    Spheres<T>& spheres = out_.spheres;
+    for (std::vector<T>* numbers : {&spheres.center.x, &spheres.center.y, &spheres.center.z, &spheres.radius, &spheres.reach})
+      numbers->resize(count, none);
+    spheres.id.resize(count, no_geometry);
+    out_.surfaces.numbers.resize((out_.planes.point.size() + count) * surface_columns);
+  }
+
+  void set_sphere(std::size_t place, const SphereList& list, std::size_t i) {
+    // |perp|^2 has the rounding errors of |o - c|^2 where the ray starts near, and from afar the edge is anybody's guess.
+    constexpr T wider = 1 + 32 * std::numeric_limits<T>::epsilon();
+    const auto [batch, at] = list[i];
+    const Sphere& sphere = batch.spheres[at];
+    Spheres<T>& spheres = out_.spheres;
+    spheres.center.x[place] = static_cast<T>(sphere.center.x);
+    spheres.center.y[place] = static_cast<T>(sphere.center.y);
+    spheres.center.z[place] = static_cast<T>(sphere.center.z);
+    spheres.radius[place] = static_cast<T>(sphere.radius);
+    spheres.reach[place] = wider * (spheres.radius[place] * spheres.radius[place]);
+    spheres.id[place] = batch.first_id + static_cast<GeometryId>(at);
+    set_surface(out_.planes.point.size() + place, batch.color(at), batch.finish);
   }
 
   Prepared<T>& out_;
+  const Scene& scene_;
+  unsigned threads_;
 };
 
 }  // namespace
 
 template <class T>
-Prepared<T> prepare(const Scene& scene, const Settings& settings) {
+Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy, unsigned threads) {
   if constexpr (std::is_same_v<T, float>) check_float_range(scene);
   const AntiAliasing by_stage = settings.stage >= 7 ? AntiAliasing::rotated4 : AntiAliasing::none;
   Prepared<T> out;
   out.settings = settings;
   out.samples = sample_offsets(settings.aa.value_or(by_stage));
   out.camera = prepare_camera<T>(scene.camera, settings.size);
-  out.background = to<T>(own(scene.background));
-  Builder<T> builder(out);
-  for (const PlaneObject& plane : scene.planes) builder.add_plane(plane);
-  for (const SphereObject& sphere : scene.spheres) {
-    builder.add_finish(sphere.material);
-    builder.add_sphere(sphere.shape, sphere.material.color, sphere.material.transparent);
-  }
-  for (const SphereCloud& cloud : scene.clouds) {
-    builder.add_finish(cloud.material);
-    for (std::size_t i = 0; i < cloud.spheres.size(); ++i)
-      builder.add_sphere(cloud.spheres[i], cloud.colors.empty() ? cloud.material.color : cloud.colors[i], false);
-  }
-  builder.add_lights(scene);
+  out.background = to<T>(scene.background);
+  Builder<T> builder(out, scene, threads);
+  builder.add_planes();
+  builder.add_spheres(hierarchy);
+  builder.add_lights();
+  builder.note_features();
   return out;
 }
 
-template Prepared<float> prepare(const Scene&, const Settings&);
-template Prepared<double> prepare(const Scene&, const Settings&);
+template Prepared<float> prepare(const Scene&, const Settings&, bool, unsigned);
+template Prepared<double> prepare(const Scene&, const Settings&, bool, unsigned);
 
 }  // namespace raylab::fast

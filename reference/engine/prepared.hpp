@@ -1,57 +1,83 @@
 #pragma once
 
 #include "core/render/engine.hpp"
-#include "reference/engine/vec3.hpp"
+#include "reference/engine/hierarchy.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace raylab::fast {
 
-/// One array a coordinate.
+/// Three numbers at rest: the kernels compute with vectors of packs.
 template <class T>
-struct Vec3Array {
-  std::vector<T> x, y, z;
-
-  Vec3<T> operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
-  std::size_t size() const { return x.size(); }
-  void push_back(const Vec3<T>& v) {
-    x.push_back(v.x);
-    y.push_back(v.y);
-    z.push_back(v.z);
-  }
+struct Point {
+  T x{}, y{}, z{};
 };
 
-/// From `begin` up to but not including `end`.
-struct Run {
-  std::size_t begin;
-  std::size_t end;
+/// One array a coordinate.
+template <class T>
+struct PointArray {
+  std::vector<T> x, y, z;
+
+  Point<T> operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  std::size_t size() const { return x.size(); }
+  void push_back(const Point<T>& p) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+    z.push_back(p.z);
+  }
 };
 
 template <class T>
 struct Planes {
-  Vec3Array<T> point;
-  Vec3Array<T> normal;  ///< unit, as given
+  PointArray<T> point;
+  PointArray<T> normal;  ///< unit, as given
 };
 
-/// `[[sphere]]`s and clouds in one list, so that a sphere's place is its GeometryId less the number of planes.
+/// Spheres that are searched together. From `begin` up to `loop_end` each is asked; from there the hierarchy says which.
+struct SphereGroup {
+  std::size_t begin = 0;
+  std::size_t loop_end = 0;
+  std::optional<Hierarchy> hierarchy;  ///< over the spheres from `loop_end` on, in their order
+};
+
+/// All spheres: first the opaque ones, which alone block light, then those of glass. Each group ends with `padding` places
+/// where there is no sphere: numbers that are none, which no ray meets. So a pack may be loaded at every place.
 template <class T>
 struct Spheres {
-  Vec3Array<T> center;
+  static constexpr std::size_t padding = 16;
+
+  PointArray<T> center;
   std::vector<T> radius;
-  std::vector<Run> opaque;  ///< all but the glass ones: what can block light
+  std::vector<T> reach;  ///< the square of the radius, and more than rounding may take from the square of a distance
+  std::vector<GeometryId> id;
+  SphereGroup opaque, glass;
 };
 
-/// What a surface does with light, and at the stage that is rendered.
-template <class T>
-struct Finish {
-  T alpha;              ///< of the highlight
-  T highlight;          ///< k_s, or 0 where there is no highlight: at alpha = 0 and at alpha = infinity (D10)
-  T mirror;             ///< k_s, the weight of the reflected ray; 0 before stage 5
-  bool glass;           ///< refracts; false before stage 6
-  T n;                  ///< glass: the refractive index
-  T n_squared_minus_1;  ///< glass: (n - 1)(n + 1), free of cancellation at n close to 1
-  T r0;                 ///< glass: what it reflects at normal incidence
+/// A table of T for kernels that read from a different row in each lane. Its columns are named by an enumeration.
+template <class T, int columns>
+struct Table {
+  static constexpr int width = columns;
+
+  std::vector<T> numbers;
+
+  std::size_t rows() const { return numbers.size() / columns; }
+};
+
+/// A surface's own color, and the row of its finish.
+enum SurfaceColumn { red, green, blue, finish, surface_columns };
+
+/// What a surface does with light, at the stage that is rendered.
+enum FinishColumn {
+  alpha,                ///< of the highlight
+  strength,             ///< of the highlight: k_s, or 0 where there is none: at alpha = 0 and at alpha = infinity (D10)
+  mirror,               ///< k_s, the weight of the reflected ray; 0 before stage 5
+  is_glass,             ///< 1: refracts; 0 before stage 6
+  ior,                  ///< glass: the refractive index n
+  ior_squared_minus_1,  ///< glass: (n - 1)(n + 1), free of cancellation at n close to 1
+  r0,                   ///< glass: what it reflects at normal incidence
+  finish_columns = 8
 };
 
 /// On which side of each plane a light is: the sign of (c - light).n, worked out once. A plane shades the points on its
@@ -61,14 +87,14 @@ using Sides = std::vector<std::int8_t>;
 
 template <class T>
 struct PreparedPointLight {
-  Vec3<T> position;
+  Point<T> position;
   T intensity;
   Sides sides;
 };
 
 template <class T>
 struct PreparedDirectionalLight {
-  Vec3<T> l;  ///< unit, towards the light
+  Point<T> l;  ///< unit, towards the light
   T intensity;
   Sides sides;
 };
@@ -77,33 +103,47 @@ struct PreparedDirectionalLight {
 /// forward + x right + y up.
 template <class T>
 struct PreparedCamera {
-  Vec3<T> position, forward, right, up;  ///< `right` and `up` are one pixel long
+  Point<T> position, forward, right, up;  ///< `right` and `up` are one pixel long
 };
 
+/// Which of the kernels' parts the scene needs at the stage that is rendered. What it lacks is never asked for.
+struct Features {
+  bool highlights = false;
+  bool mirrors = false;
+  bool glass = false;
+  bool shadows = false;
+  bool lights_in_planes = false;
+};
+
+/// More bounces no render is asked for.
+inline constexpr std::size_t most_bounces = 100;
+
 /// A scene made ready for tracing in T at one stage. All that needs a transcendental function or a unit vector is computed
-/// here, in double.
+/// here, in double. A surface's *place* is that of its plane, or its sphere's with the planes before it: the spheres stand
+/// in an order that is good for searching, and only `id` knows the scene's own.
 template <class T>
 struct Prepared {
   Settings settings;
   std::vector<SampleOffset> samples;
   PreparedCamera<T> camera;
-  Vec3<T> background;
+  Point<T> background;
   Planes<T> planes;
   Spheres<T> spheres;
-  std::vector<Vec3<T>> colors;           ///< by GeometryId
-  std::vector<std::uint32_t> finish_of;  ///< by GeometryId
-  std::vector<Finish<T>> finishes;
+  Table<T, surface_columns> surfaces;  ///< by place
+  Table<T, finish_columns> finishes;
   std::vector<PreparedPointLight<T>> point_lights;
   std::vector<PreparedDirectionalLight<T>> directional_lights;
   T ambient{};  ///< all ambient lights together
+  Features features;
 };
 
-/// Throws std::invalid_argument if T is float and the scene is out of its range (see make_fast).
+/// `hierarchy` false: none, however many spheres there are. `threads` build it. Throws std::invalid_argument if T is float and
+/// the scene is out of its range (see make_fast).
 template <class T>
-Prepared<T> prepare(const Scene& scene, const Settings& settings);
+Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy, unsigned threads);
 
-extern template Prepared<float> prepare(const Scene&, const Settings&);
-extern template Prepared<double> prepare(const Scene&, const Settings&);
+extern template Prepared<float> prepare(const Scene&, const Settings&, bool, unsigned);
+extern template Prepared<double> prepare(const Scene&, const Settings&, bool, unsigned);
 
 /// Throws std::invalid_argument, naming the first number that a render in float cannot take.
 void check_float_range(const Scene& scene);

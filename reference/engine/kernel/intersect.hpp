@@ -1,0 +1,84 @@
+// Part of the kernel; kernel/parts.hpp says how the parts are put together.
+
+namespace raylab::fast::RAYLAB_TARGET {
+
+/// The distance at which a ray from `o` along `d` meets the plane through `c` with unit normal `n`, or something that is not
+/// >= 0 (also a NaN or an infinity) for a miss.
+template <class V>
+RAYLAB_INLINE V plane_distance(const Vec3<V>& o, const Vec3<V>& d, const Vec3<V>& c, const Vec3<V>& n) {
+  const V slope = dot(d, n);
+  return select(slope == V(0), V(-1), dot(c - o, n) / slope);
+}
+
+/// How a ray's line passes the centre of a sphere. The foot is the point of the line nearest the centre, and `perp` the
+/// vector to it from there. Measured so, a far and small sphere keeps its radius, which the textbook's b^2 - 4ac loses to
+/// cancellation.
+template <class V>
+struct Passing {
+  V b;           ///< (o - c).d: minus the distance from the origin to the foot
+  Vec3<V> perp;  ///< from the centre to the foot
+  V apart;       ///< |perp|^2
+};
+
+template <class V>
+RAYLAB_INLINE Passing<V> pass(const Vec3<V>& o, const Vec3<V>& d, const Vec3<V>& c) {
+  const Vec3<V> f = o - c;
+  const V b = dot(f, d);
+  const Vec3<V> perp = f - b * d;
+  return {b, perp, dot(perp, perp)};
+}
+
+/// Where a ray meets a sphere.
+template <class V>
+struct Meeting {
+  MaskOf<V> met;     ///< does it?
+  V t;               ///< the least t >= 0
+  V half;            ///< half the chord
+  MaskOf<V> inside;  ///< did the ray come from inside?
+};
+
+/// Meetings of rays that start near the sphere's surface, compared with its radius: there the gap, computed without error,
+/// knows more than the foot, whose error is that of R^2. From afar it is the other way round.
+template <class V>
+Meeting<V> meet_nearby(const Passing<V>& passing, V gap) {
+  const V b = passing.b;
+  const V discriminant = b * b - gap;
+  const V half = square_root(greatest(V(0), discriminant));
+  const auto touches = gap == V(0);
+  const auto outside = (gap > V(0)) | (touches & (b <= V(0)));
+  const V from_outside = select(touches, V(0), gap / (half - b));
+  const V from_inside = select(b > V(0), -gap / (half + b), half - b);
+  const MaskOf<V> met = (discriminant >= V(0)) & (!outside | touches | (b < V(0)));
+  return {met, select(outside, from_outside, from_inside), half, !outside};
+}
+
+/// For the rays of `asked`, which pass the sphere closely enough. `reach` there need not be exact: the answer here is.
+template <class V>
+RAYLAB_INLINE Meeting<V> meet(MaskOf<V> asked, const Passing<V>& passing, const Vec3<V>& o, const Vec3<V>& c, V radius) {
+  const V b = passing.b;
+  const V squared = radius * radius;
+  const V discriminant = squared - passing.apart;
+  const V half = square_root(greatest(V(0), discriminant));
+  const V gap = b * b - discriminant;
+  const auto inside = gap < V(0);
+  const MaskOf<V> met = (discriminant >= V(0)) & (inside | (b < V(0)));
+  Meeting<V> far = {met, select(inside, half - b, -b - half), half, inside};
+  const auto nearby = asked & (magnitude(gap) < V(1.0f / 16) * squared);
+  if (any(nearby)) [[unlikely]] {
+    const Meeting<V> near = meet_nearby(passing, gap_to_sphere(o, c, radius));
+    far.met = (nearby & near.met) | (!nearby & far.met);
+    far.t = select(nearby, near.t, far.t);
+    far.half = select(nearby, near.half, far.half);
+    far.inside = (nearby & near.inside) | (!nearby & far.inside);
+  }
+  far.met = asked & far.met;
+  return far;
+}
+
+/// The distance at which a ray that starts on a sphere and leaves it inwards meets its far side (D6).
+template <class V>
+RAYLAB_INLINE V far_side(const Passing<V>& passing) {
+  return greatest(V(0), V(-2) * passing.b);
+}
+
+}  // namespace raylab::fast::RAYLAB_TARGET

@@ -1,0 +1,248 @@
+// Part of the kernel; kernel/parts.hpp says how the parts are put together.
+
+/// Packs: as many numbers as a vector register of the target holds, by Google Highway. What is written for one number runs
+/// on a pack as it stands: operators work lane by lane, comparisons give a mask, and select() takes the place of a branch.
+/// Every operation here is rounded as IEEE 754 says, so that a lane holds what a single number would hold, to the bit.
+namespace raylab::fast::RAYLAB_TARGET {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class T>
+using Tag = hn::ScalableTag<T>;
+template <class T>
+using IndexTag = hn::RebindToSigned<Tag<T>>;
+
+template <class T>
+struct PackMask {
+  hn::Mask<Tag<T>> raw;
+
+  friend HWY_INLINE PackMask operator&(PackMask a, PackMask b) { return {hn::And(a.raw, b.raw)}; }
+  friend HWY_INLINE PackMask operator|(PackMask a, PackMask b) { return {hn::Or(a.raw, b.raw)}; }
+  friend HWY_INLINE PackMask operator!(PackMask a) { return {hn::Not(a.raw)}; }
+};
+
+/// Places in arrays: whole numbers as wide as T.
+template <class T>
+class PackIndex {
+ public:
+  using Raw = hn::Vec<IndexTag<T>>;
+  using Whole = hn::TFromD<IndexTag<T>>;
+
+  Raw raw;
+
+  PackIndex() = default;
+  HWY_INLINE PackIndex(Whole a) : raw(hn::Set(IndexTag<T>(), a)) {}
+  HWY_INLINE explicit PackIndex(Raw a) : raw(a) {}
+
+  friend HWY_INLINE PackIndex operator+(PackIndex a, PackIndex b) { return PackIndex(hn::Add(a.raw, b.raw)); }
+  friend HWY_INLINE PackIndex operator-(PackIndex a, PackIndex b) { return PackIndex(hn::Sub(a.raw, b.raw)); }
+  friend HWY_INLINE PackMask<T> operator==(PackIndex a, PackIndex b) {
+    return {hn::RebindMask(Tag<T>(), hn::Eq(a.raw, b.raw))};
+  }
+  friend HWY_INLINE PackMask<T> operator<(PackIndex a, PackIndex b) {
+    return {hn::RebindMask(Tag<T>(), hn::Lt(a.raw, b.raw))};
+  }
+  friend HWY_INLINE PackMask<T> operator>=(PackIndex a, PackIndex b) { return !(a < b); }
+};
+
+template <class T>
+class Pack {
+ public:
+  using Raw = hn::Vec<Tag<T>>;
+
+  Raw raw;
+
+  Pack() = default;
+  HWY_INLINE Pack(T a) : raw(hn::Set(Tag<T>(), a)) {}
+  HWY_INLINE explicit Pack(Raw a) : raw(a) {}
+
+  friend HWY_INLINE Pack operator+(Pack a, Pack b) { return Pack(hn::Add(a.raw, b.raw)); }
+  friend HWY_INLINE Pack operator-(Pack a, Pack b) { return Pack(hn::Sub(a.raw, b.raw)); }
+  friend HWY_INLINE Pack operator*(Pack a, Pack b) { return Pack(hn::Mul(a.raw, b.raw)); }
+  friend HWY_INLINE Pack operator/(Pack a, Pack b) { return Pack(hn::Div(a.raw, b.raw)); }
+  friend HWY_INLINE Pack operator-(Pack a) { return Pack(hn::Neg(a.raw)); }
+  friend HWY_INLINE PackMask<T> operator<(Pack a, Pack b) { return {hn::Lt(a.raw, b.raw)}; }
+  friend HWY_INLINE PackMask<T> operator>(Pack a, Pack b) { return {hn::Gt(a.raw, b.raw)}; }
+  friend HWY_INLINE PackMask<T> operator<=(Pack a, Pack b) { return {hn::Le(a.raw, b.raw)}; }
+  friend HWY_INLINE PackMask<T> operator>=(Pack a, Pack b) { return {hn::Ge(a.raw, b.raw)}; }
+  friend HWY_INLINE PackMask<T> operator==(Pack a, Pack b) { return {hn::Eq(a.raw, b.raw)}; }
+};
+
+template <class T>
+struct Lanes<Pack<T>> {
+  using Number = T;
+  using Mask = PackMask<T>;
+  using Index = PackIndex<T>;
+  using Whole = typename PackIndex<T>::Whole;
+  static constexpr int count = static_cast<int>(hn::MaxLanes(Tag<T>()));
+};
+
+template <class T>
+HWY_INLINE Pack<T> select(PackMask<T> condition, Pack<T> yes, Pack<T> no) {
+  return Pack<T>(hn::IfThenElse(condition.raw, yes.raw, no.raw));
+}
+template <class T>
+HWY_INLINE PackIndex<T> select(PackMask<T> condition, PackIndex<T> yes, PackIndex<T> no) {
+  return PackIndex<T>(hn::IfThenElse(hn::RebindMask(IndexTag<T>(), condition.raw), yes.raw, no.raw));
+}
+
+template <class T>
+HWY_INLINE std::uint32_t bits(PackMask<T> mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Tag<T>(), mask.raw, bytes);
+  std::uint32_t word;
+  std::memcpy(&word, bytes, sizeof word);
+  return word;
+}
+template <class T>
+HWY_INLINE bool any(PackMask<T> mask) {
+  return !hn::AllFalse(Tag<T>(), mask.raw);
+}
+template <class T>
+HWY_INLINE bool none(PackMask<T> mask) {
+  return hn::AllFalse(Tag<T>(), mask.raw);
+}
+template <class V>
+  requires(!Number<V>)
+HWY_INLINE MaskOf<V> mask_of(std::uint32_t bits) {
+  std::uint8_t bytes[8] = {};
+  std::memcpy(bytes, &bits, sizeof bits);
+  return {hn::LoadMaskBits(Tag<NumberOf<V>>(), bytes)};
+}
+
+template <class T>
+HWY_INLINE Pack<T> square_root(Pack<T> a) {
+  return Pack<T>(hn::Sqrt(a.raw));
+}
+template <class T>
+HWY_INLINE Pack<T> magnitude(Pack<T> a) {
+  return Pack<T>(hn::Abs(a.raw));
+}
+
+template <class V>
+  requires(!Number<V>)
+HWY_INLINE V load(const NumberOf<V>* numbers) {
+  return V(hn::LoadU(Tag<NumberOf<V>>(), numbers));
+}
+template <class V>
+  requires(!Number<V>)
+HWY_INLINE IndexOf<V> load_index(const WholeOf<V>* numbers) {
+  return IndexOf<V>(hn::LoadU(IndexTag<NumberOf<V>>(), numbers));
+}
+template <class T>
+HWY_INLINE void store(Pack<T> a, T* numbers) {
+  hn::StoreU(a.raw, Tag<T>(), numbers);
+}
+template <class T>
+HWY_INLINE void store(PackIndex<T> a, typename PackIndex<T>::Whole* numbers) {
+  hn::StoreU(a.raw, IndexTag<T>(), numbers);
+}
+template <class T>
+HWY_INLINE Pack<T> gather(const T* numbers, PackIndex<T> place) {
+  return Pack<T>(hn::GatherIndex(Tag<T>(), numbers, place.raw));
+}
+template <class V>
+  requires(!Number<V>)
+HWY_INLINE IndexOf<V> lane_numbers() {
+  return IndexOf<V>(hn::Iota(IndexTag<NumberOf<V>>(), 0));
+}
+
+template <class T>
+HWY_INLINE void split_exponent(Pack<T> a, Pack<T>& m, Pack<T>& k) {
+  constexpr int mantissa_bits = std::numeric_limits<T>::digits - 1;
+  const hn::RebindToUnsigned<Tag<T>> whole;
+  const auto root = hn::BitCast(whole, hn::Set(Tag<T>(), root_half<T>));
+  const auto from_root = hn::Sub(hn::BitCast(whole, a.raw), root);
+  // AVX2 shifts no signed 64-bit numbers to the right: `one` lifts the exponent above 0.
+  const auto one = hn::BitCast(whole, hn::Set(Tag<T>(), T(1)));
+  const auto exponent = hn::Sub(hn::ShiftRight<mantissa_bits>(hn::Add(from_root, one)), hn::ShiftRight<mantissa_bits>(one));
+  const auto with_magic = hn::Add(exponent, hn::BitCast(whole, hn::Set(Tag<T>(), magic<T>)));
+  k = Pack<T>(hn::BitCast(Tag<T>(), with_magic)) - Pack<T>(magic<T>);
+  m = Pack<T>(hn::BitCast(Tag<T>(), hn::Add(hn::Sub(from_root, hn::ShiftLeft<mantissa_bits>(exponent)), root)));
+}
+
+template <class T>
+HWY_INLINE Pack<T> power_of_two(Pack<T> k_and_magic) {
+  constexpr int mantissa_bits = std::numeric_limits<T>::digits - 1;
+  const IndexTag<T> whole;
+  const auto biased = hn::Add(hn::BitCast(whole, k_and_magic.raw), hn::Set(whole, std::numeric_limits<T>::max_exponent - 1));
+  return Pack<T>(hn::BitCast(Tag<T>(), hn::ShiftLeft<mantissa_bits>(biased)));
+}
+
+/// The least and the greatest number of all lanes.
+template <class T>
+HWY_INLINE T least_lane(Pack<T> a) {
+  return hn::GetLane(hn::MinOfLanes(Tag<T>(), a.raw));
+}
+template <class T>
+HWY_INLINE T greatest_lane(Pack<T> a) {
+  return hn::GetLane(hn::MaxOfLanes(Tag<T>(), a.raw));
+}
+
+/// Whole numbers that are held as T.
+template <class T>
+HWY_INLINE PackIndex<T> whole(Pack<T> a) {
+  return PackIndex<T>(hn::ConvertTo(IndexTag<T>(), a.raw));
+}
+template <int bits, class T>
+HWY_INLINE PackIndex<T> shifted_left(PackIndex<T> a) {
+  return PackIndex<T>(hn::ShiftLeft<bits>(a.raw));
+}
+
+/// Eight floats, one for each child of a node, in as many registers as that takes.
+class Eight {
+ public:
+  Eight() = default;
+  HWY_INLINE explicit Eight(float a) {
+    for (auto& part : raw_) part = hn::Set(PartTag(), a);
+  }
+
+  static HWY_INLINE Eight load(const std::array<float, 8>& numbers) {
+    Eight result;
+    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Load(PartTag(), numbers.data() + i * lanes);
+    return result;
+  }
+  HWY_INLINE void store(std::array<float, 8>& numbers) const {
+    for (std::size_t i = 0; i < parts; ++i) hn::StoreU(raw_[i], PartTag(), numbers.data() + i * lanes);
+  }
+
+  friend HWY_INLINE Eight operator-(const Eight& a, const Eight& b) {
+    Eight result;
+    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Sub(a.raw_[i], b.raw_[i]);
+    return result;
+  }
+  friend HWY_INLINE Eight operator*(const Eight& a, const Eight& b) {
+    Eight result;
+    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Mul(a.raw_[i], b.raw_[i]);
+    return result;
+  }
+  friend HWY_INLINE Eight lesser(const Eight& a, const Eight& b) {
+    Eight result;
+    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Min(a.raw_[i], b.raw_[i]);
+    return result;
+  }
+  friend HWY_INLINE Eight greater(const Eight& a, const Eight& b) {
+    Eight result;
+    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Max(a.raw_[i], b.raw_[i]);
+    return result;
+  }
+  /// Bit i: is number i of `a` at most that of `b`?
+  friend HWY_INLINE std::uint32_t at_most(const Eight& a, const Eight& b) {
+    std::uint32_t mask = 0;
+    for (std::size_t i = 0; i < parts; ++i) {
+      std::uint8_t byte[8] = {};
+      hn::StoreMaskBits(PartTag(), hn::Le(a.raw_[i], b.raw_[i]), byte);
+      mask |= static_cast<std::uint32_t>(byte[0]) << (i * lanes);
+    }
+    return mask;
+  }
+
+ private:
+  using PartTag = hn::CappedTag<float, 8>;
+  static constexpr std::size_t lanes = hn::MaxLanes(PartTag());
+  static constexpr std::size_t parts = 8 / lanes;
+
+  hn::Vec<PartTag> raw_[parts];
+};
+
+}  // namespace raylab::fast::RAYLAB_TARGET

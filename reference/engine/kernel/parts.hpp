@@ -1,0 +1,21 @@
+// The kernel: everything from a pixel's place to its color. It is one text that is compiled once for each SIMD target, with
+// packs for numbers, and once for single numbers: in a namespace RAYLAB_TARGET of its own each time, so that the program
+// holds all of them. So these headers have no include guards and include nothing: what they need, and what they are to be
+// called, the two files say that include this one.
+
+#include "reference/engine/kernel/scalar.hpp"
+#ifdef RAYLAB_PACKS
+#include "reference/engine/kernel/pack.hpp"
+#endif
+#include "reference/engine/kernel/vec3.hpp"
+
+#include "reference/engine/kernel/exact.hpp"
+#include "reference/engine/kernel/intersect.hpp"
+
+#include "reference/engine/kernel/power.hpp"
+
+#include "reference/engine/kernel/glass.hpp"
+
+#include "reference/engine/kernel/search.hpp"
+
+#include "reference/engine/kernel/tracer.hpp"

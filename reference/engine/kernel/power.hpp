@@ -1,0 +1,66 @@
+// Part of the kernel; kernel/parts.hpp says how the parts are put together.
+
+namespace raylab::fast::RAYLAB_TARGET {
+
+/// Horner's scheme: coefficients from the highest power down to the constant.
+template <class V, std::size_t n>
+RAYLAB_INLINE V polynomial(V x, const std::array<NumberOf<V>, n>& coefficients) {
+  V sum(coefficients[0]);
+  for (std::size_t i = 1; i < n; ++i) sum = sum * x + V(coefficients[i]);
+  return sum;
+}
+
+/// log(1 - sine2) where sine2 is small, log(cosine2) else: sine2 and cosine2 are squares of the sine and the cosine of one
+/// angle, and the smaller one of them knows the angle best. For 0 < cosine2, normal.
+///
+/// With s = f/(2 + f), log(1 + f) = 2 atanh(s) = 2s + s z r(z), z = s^2: the series of atanh cut where |s| <= 0.1716 hides
+/// the rest.
+template <class V>
+RAYLAB_INLINE V log_of_cosine2(V sine2, V cosine2) {
+  using T = NumberOf<V>;
+  V m, k;
+  split_exponent(cosine2, m, k);
+  const auto near_peak = sine2 < V(0.25f);
+  const V f = select(near_peak, -sine2, m - V(1));
+  k = select(near_peak, V(0), k);
+  const V s = f / (V(2) + f);
+  const V z = s * s;
+  // 2 atanh(s) = 2s + s z r = f - s (f - z r), since 2s = f - s f.
+  const V r = polynomial(z, atanh_series<T>);
+  return k * V(log_2_high<T>) + ((f - s * (f - z * r)) + k * V(log_2_low<T>));
+}
+
+/// e^y for y from -cut_off to 0.
+template <class V>
+RAYLAB_INLINE V exponential(V y) {
+  using T = NumberOf<V>;
+  const V k_and_magic = y * V(T(std::numbers::log2e)) + V(magic<T>);
+  const V k = k_and_magic - V(magic<T>);
+  const V r = (y - k * V(log_2_high<T>)) - k * V(log_2_low<T>);
+  return polynomial(r, exponential_series<T>) * power_of_two(k_and_magic);
+}
+
+/// max(0, H.N)^alpha with H = unit(l + v), for the lanes of `asked`; 0 in the others.
+///
+/// Neither H nor its angle is worked out: |l + v|^2 cos^2 and |l + v|^2 sin^2 come from the parts of l + v along n and
+/// across it. A cosine rounded next to 1 would lose 12 bits of a peak at alpha = 1000; the sine keeps them.
+template <class V>
+RAYLAB_INLINE V highlight(MaskOf<V> asked, const Vec3<V>& l, const Vec3<V>& n, const Vec3<V>& v, V alpha) {
+  using T = NumberOf<V>;
+  const Vec3<V> sum = l + v;
+  const V along = dot(sum, n);
+  const Vec3<V> across = sum - along * n;
+  const V squared = dot(sum, sum);
+  const V inverse = V(1) / squared;
+  const V sine2 = dot(across, across) * inverse;
+  // log(1 - x) <= -x: what is certainly below e^-cut_off is nothing beside the cosine that it is added to.
+  const V half_alpha = V(0.5f) * alpha;
+  const auto seen = asked & (along > V(0)) & (half_alpha * sine2 < V(cut_off<T>));
+  if (none(seen)) return V(0);
+  const V cosine2 = greatest(along * along * inverse, V(std::numeric_limits<T>::min()));
+  const V y = half_alpha * log_of_cosine2(sine2, cosine2);
+  const auto above = seen & (y > V(-cut_off<T>));
+  return select(above, exponential(select(above, y, V(0))), V(0));
+}
+
+}  // namespace raylab::fast::RAYLAB_TARGET

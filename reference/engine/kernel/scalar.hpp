@@ -1,0 +1,180 @@
+// Part of the kernel; kernel/parts.hpp says how the parts are put together.
+
+/// A single number seen as a pack of one lane: the functions that pack.hpp has for packs, with the same meaning to the bit.
+namespace raylab::fast::RAYLAB_TARGET {
+
+template <class V>
+struct Lanes;
+
+template <>
+struct Lanes<float> {
+  using Number = float;
+  using Mask = bool;
+  using Index = std::int32_t;
+  using Whole = std::int32_t;
+  static constexpr int count = 1;
+};
+
+template <>
+struct Lanes<double> {
+  using Number = double;
+  using Mask = bool;
+  using Index = std::int64_t;
+  using Whole = std::int64_t;
+  static constexpr int count = 1;
+};
+
+template <class V>
+using NumberOf = typename Lanes<V>::Number;
+template <class V>
+using MaskOf = typename Lanes<V>::Mask;
+template <class V>
+using IndexOf = typename Lanes<V>::Index;
+template <class V>
+using WholeOf = typename Lanes<V>::Whole;
+
+template <class T>
+concept Number = std::is_floating_point_v<T>;
+
+template <Number T>
+T select(bool condition, T yes, T no) {
+  return condition ? yes : no;
+}
+inline std::int32_t select(bool condition, std::int32_t yes, std::int32_t no) { return condition ? yes : no; }
+inline std::int64_t select(bool condition, std::int64_t yes, std::int64_t no) { return condition ? yes : no; }
+
+/// Bit i is lane i.
+inline std::uint32_t bits(bool mask) { return mask ? 1 : 0; }
+inline bool any(bool mask) { return mask; }
+inline bool none(bool mask) { return !mask; }
+
+template <Number T>
+T square_root(T a) {
+  return std::sqrt(a);
+}
+
+/// |a| with its sign bit cleared.
+template <Number T>
+T magnitude(T a) {
+  return std::abs(a);
+}
+
+template <Number V>
+bool mask_of(std::uint32_t bits) {
+  return bits != 0;
+}
+
+/// numbers[i], numbers[i + 1] and so on, one in each lane.
+template <Number V>
+V load(const V* numbers) {
+  return *numbers;
+}
+template <Number V>
+IndexOf<V> load_index(const WholeOf<V>* numbers) {
+  return *numbers;
+}
+
+template <Number T>
+void store(T a, T* numbers) {
+  *numbers = a;
+}
+inline void store(std::int32_t a, std::int32_t* numbers) { *numbers = a; }
+inline void store(std::int64_t a, std::int64_t* numbers) { *numbers = a; }
+
+/// numbers[place] of each lane's place.
+inline float gather(const float* numbers, std::int32_t place) { return numbers[place]; }
+inline double gather(const double* numbers, std::int64_t place) { return numbers[place]; }
+
+/// 0, 1, 2, ... in the lanes.
+template <Number V>
+IndexOf<V> lane_numbers() {
+  return 0;
+}
+
+/// `a` as m 2^k with sqrt(1/2) <= m < sqrt(2), for a normal a > 0.
+template <Number T>
+void split_exponent(T a, T& m, T& k) {
+  using Int = IndexOf<T>;
+  constexpr int mantissa_bits = std::numeric_limits<T>::digits - 1;
+  const Int from_root = std::bit_cast<Int>(a) - std::bit_cast<Int>(root_half<T>);
+  const Int exponent = from_root >> mantissa_bits;
+  k = static_cast<T>(exponent);
+  m = std::bit_cast<T>(static_cast<Int>(from_root - (exponent << mantissa_bits) + std::bit_cast<Int>(root_half<T>)));
+}
+
+/// 2^k for a whole number k that is given as k + magic<T>.
+template <Number T>
+T power_of_two(T k_and_magic) {
+  using Unsigned = std::make_unsigned_t<IndexOf<T>>;
+  constexpr int mantissa_bits = std::numeric_limits<T>::digits - 1;
+  constexpr Unsigned bias = std::numeric_limits<T>::max_exponent - 1;
+  return std::bit_cast<T>(static_cast<Unsigned>((std::bit_cast<Unsigned>(k_and_magic) + bias) << mantissa_bits));
+}
+
+template <Number T>
+T least_lane(T a) {
+  return a;
+}
+template <Number T>
+T greatest_lane(T a) {
+  return a;
+}
+
+inline std::int32_t whole(float a) { return static_cast<std::int32_t>(a); }
+inline std::int64_t whole(double a) { return static_cast<std::int64_t>(a); }
+
+template <int bits>
+std::int32_t shifted_left(std::int32_t a) {
+  return a << bits;
+}
+template <int bits>
+std::int64_t shifted_left(std::int64_t a) {
+  return a << bits;
+}
+
+#ifndef RAYLAB_PACKS
+/// Eight floats, one for each child of a node.
+class Eight {
+ public:
+  Eight() = default;
+  explicit Eight(float a) { numbers_.fill(a); }
+
+  static Eight load(const std::array<float, 8>& numbers) {
+    Eight result;
+    result.numbers_ = numbers;
+    return result;
+  }
+  void store(std::array<float, 8>& numbers) const { numbers = numbers_; }
+
+  friend Eight operator-(const Eight& a, const Eight& b) {
+    return each(a, b, [](float x, float y) { return x - y; });
+  }
+  friend Eight operator*(const Eight& a, const Eight& b) {
+    return each(a, b, [](float x, float y) { return x * y; });
+  }
+  friend Eight lesser(const Eight& a, const Eight& b) {
+    return each(a, b, [](float x, float y) { return x < y ? x : y; });
+  }
+  friend Eight greater(const Eight& a, const Eight& b) {
+    return each(a, b, [](float x, float y) { return x > y ? x : y; });
+  }
+  /// Bit i: is number i of `a` at most that of `b`?
+  friend std::uint32_t at_most(const Eight& a, const Eight& b) {
+    std::uint32_t mask = 0;
+    for (std::size_t i = 0; i < 8; ++i) mask |= static_cast<std::uint32_t>(a.numbers_[i] <= b.numbers_[i]) << i;
+    return mask;
+  }
+
+ private:
+  template <class Function>
+  static Eight each(const Eight& a, const Eight& b, Function function) {
+    Eight result;
+    for (std::size_t i = 0; i < 8; ++i) result.numbers_[i] = function(a.numbers_[i], b.numbers_[i]);
+    return result;
+  }
+
+  std::array<float, 8> numbers_;
+};
+#endif
+
+}  // namespace raylab::fast::RAYLAB_TARGET
