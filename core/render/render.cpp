@@ -144,7 +144,7 @@ RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, cons
   for (int band = 0; band < bands.count(); ++band) {
     const std::vector<Color> pixels = bands.take(band, [&] { progress(bands.done()); });
     totals.non_finite_pixels += static_cast<std::uint64_t>(
-        std::count_if(pixels.begin(), pixels.end(), [](const Color& c) { return !is_finite(c); }));
+        std::count_if(pixels.begin(), pixels.end(), [](const Color& c) { return !std::isfinite(c.r + c.g + c.b); }));
     sink(band * band_rows, pixels);
     progress(bands.done());
   }

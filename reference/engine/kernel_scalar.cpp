@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <concepts>
+#include <cstring>
 #include <limits>
 #include <numbers>
 

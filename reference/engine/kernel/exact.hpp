@@ -34,7 +34,7 @@ RAYLAB_INLINE Exact<V> exact_square(V a) {
 /// roundings of the *result*. Plain arithmetic has an error of radius^2 instead: for a camera on the ground of a giant
 /// sphere that is more than its height.
 template <class V>
-V gap_to_sphere(const Vec3<V>& a, const Vec3<V>& c, V radius) {
+V gap_to_sphere(Vec3<V> a, Vec3<V> c, V radius) {
   const Exact<V> x = exact_sum(a.x, -c.x), y = exact_sum(a.y, -c.y), z = exact_sum(a.z, -c.z);
   const Exact<V> x2 = exact_square(x.value), y2 = exact_square(y.value), z2 = exact_square(z.value);
   const Exact<V> r2 = exact_square(radius);

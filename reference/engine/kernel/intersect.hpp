@@ -40,8 +40,7 @@ struct Meeting {
 /// Meetings of rays that start near the sphere's surface, compared with its radius: there the gap, computed without error,
 /// knows more than the foot, whose error is that of R^2. From afar it is the other way round.
 template <class V>
-Meeting<V> meet_nearby(const Passing<V>& passing, V gap) {
-  const V b = passing.b;
+Meeting<V> meet_nearby(V b, V gap) {
   const V discriminant = b * b - gap;
   const V half = square_root(greatest(V(0), discriminant));
   const auto touches = gap == V(0);
@@ -52,27 +51,23 @@ Meeting<V> meet_nearby(const Passing<V>& passing, V gap) {
   return {met, select(outside, from_outside, from_inside), half, !outside};
 }
 
-/// For the rays of `asked`, which pass the sphere closely enough. `reach` there need not be exact: the answer here is.
-template <class V>
-RAYLAB_INLINE Meeting<V> meet(MaskOf<V> asked, const Passing<V>& passing, const Vec3<V>& o, const Vec3<V>& c, V radius) {
+/// For the rays of `asked`. `gap` gives gap_to_sphere() of the rays' origins, where that is needed.
+template <class V, class Gap>
+RAYLAB_INLINE Meeting<V> meet(MaskOf<V> asked, const Passing<V>& passing, V radius, Gap gap) {
   const V b = passing.b;
   const V squared = radius * radius;
   const V discriminant = squared - passing.apart;
   const V half = square_root(greatest(V(0), discriminant));
-  const V gap = b * b - discriminant;
-  const auto inside = gap < V(0);
-  const MaskOf<V> met = (discriminant >= V(0)) & (inside | (b < V(0)));
-  Meeting<V> far = {met, select(inside, half - b, -b - half), half, inside};
-  const auto nearby = asked & (magnitude(gap) < V(1.0f / 16) * squared);
-  if (any(nearby)) [[unlikely]] {
-    const Meeting<V> near = meet_nearby(passing, gap_to_sphere(o, c, radius));
-    far.met = (nearby & near.met) | (!nearby & far.met);
-    far.t = select(nearby, near.t, far.t);
-    far.half = select(nearby, near.half, far.half);
-    far.inside = (nearby & near.inside) | (!nearby & far.inside);
-  }
-  far.met = asked & far.met;
-  return far;
+  const V rough_gap = b * b - discriminant;
+  const MaskOf<V> inside = rough_gap < V(0);
+  const MaskOf<V> met = asked & (discriminant >= V(0)) & (inside | (b < V(0)));
+  const V t = select(inside, half - b, -b - half);
+  const MaskOf<V> nearby = asked & (magnitude(rough_gap) < V(1.0f / 16) * squared);
+  if (none(nearby)) [[likely]]
+    return {met, t, half, inside};
+  const Meeting<V> near = meet_nearby(b, gap());
+  return {select(nearby, near.met, met), select(nearby, near.t, t), select(nearby, near.half, half),
+          select(nearby, near.inside, inside)};
 }
 
 /// The distance at which a ray that starts on a sphere and leaves it inwards meets its far side (D6).

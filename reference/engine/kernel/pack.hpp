@@ -82,6 +82,10 @@ HWY_INLINE Pack<T> select(PackMask<T> condition, Pack<T> yes, Pack<T> no) {
   return Pack<T>(hn::IfThenElse(condition.raw, yes.raw, no.raw));
 }
 template <class T>
+HWY_INLINE PackMask<T> select(PackMask<T> condition, PackMask<T> yes, PackMask<T> no) {
+  return {hn::Or(hn::And(condition.raw, yes.raw), hn::AndNot(condition.raw, no.raw))};
+}
+template <class T>
 HWY_INLINE PackIndex<T> select(PackMask<T> condition, PackIndex<T> yes, PackIndex<T> no) {
   return PackIndex<T>(hn::IfThenElse(hn::RebindMask(IndexTag<T>(), condition.raw), yes.raw, no.raw));
 }
@@ -93,6 +97,10 @@ HWY_INLINE std::uint32_t bits(PackMask<T> mask) {
   std::uint32_t word;
   std::memcpy(&word, bytes, sizeof word);
   return word;
+}
+template <class T>
+HWY_INLINE std::size_t count(PackMask<T> mask) {
+  return hn::CountTrue(Tag<T>(), mask.raw);
 }
 template <class T>
 HWY_INLINE bool any(PackMask<T> mask) {
@@ -167,6 +175,19 @@ HWY_INLINE Pack<T> power_of_two(Pack<T> k_and_magic) {
   const IndexTag<T> whole;
   const auto biased = hn::Add(hn::BitCast(whole, k_and_magic.raw), hn::Set(whole, std::numeric_limits<T>::max_exponent - 1));
   return Pack<T>(hn::BitCast(Tag<T>(), hn::ShiftLeft<mantissa_bits>(biased)));
+}
+
+/// x, y and z of the first lane, then of the next, as doubles.
+HWY_INLINE void store_interleaved(Pack<float> x, Pack<float> y, Pack<float> z, double* numbers) {
+  using Wide = hn::RepartitionToWide<Tag<float>>;
+  const hn::Half<Tag<float>> half;
+  const auto low = [half](Pack<float> a) HWY_ATTR { return hn::PromoteTo(Wide(), hn::LowerHalf(half, a.raw)); };
+  const auto high = [half](Pack<float> a) HWY_ATTR { return hn::PromoteTo(Wide(), hn::UpperHalf(half, a.raw)); };
+  hn::StoreInterleaved3(low(x), low(y), low(z), Wide(), numbers);
+  hn::StoreInterleaved3(high(x), high(y), high(z), Wide(), numbers + 3 * hn::MaxLanes(Wide()));
+}
+HWY_INLINE void store_interleaved(Pack<double> x, Pack<double> y, Pack<double> z, double* numbers) {
+  hn::StoreInterleaved3(x.raw, y.raw, z.raw, Tag<double>(), numbers);
 }
 
 /// The least and the greatest number of all lanes.

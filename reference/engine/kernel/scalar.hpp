@@ -40,11 +40,13 @@ template <Number T>
 T select(bool condition, T yes, T no) {
   return condition ? yes : no;
 }
+inline bool select(bool condition, bool yes, bool no) { return condition ? yes : no; }
 inline std::int32_t select(bool condition, std::int32_t yes, std::int32_t no) { return condition ? yes : no; }
 inline std::int64_t select(bool condition, std::int64_t yes, std::int64_t no) { return condition ? yes : no; }
 
 /// Bit i is lane i.
 inline std::uint32_t bits(bool mask) { return mask ? 1 : 0; }
+inline std::size_t count(bool mask) { return mask ? 1 : 0; }
 inline bool any(bool mask) { return mask; }
 inline bool none(bool mask) { return !mask; }
 
@@ -109,6 +111,13 @@ T power_of_two(T k_and_magic) {
   constexpr int mantissa_bits = std::numeric_limits<T>::digits - 1;
   constexpr Unsigned bias = std::numeric_limits<T>::max_exponent - 1;
   return std::bit_cast<T>(static_cast<Unsigned>((std::bit_cast<Unsigned>(k_and_magic) + bias) << mantissa_bits));
+}
+
+template <Number T>
+void store_interleaved(T x, T y, T z, double* numbers) {
+  numbers[0] = x;
+  numbers[1] = y;
+  numbers[2] = z;
 }
 
 template <Number T>

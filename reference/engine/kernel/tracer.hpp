@@ -30,30 +30,70 @@ struct Hit {
   V radius;
 };
 
-/// Rows of a table, one for each lane; where all lanes look at the same row no gather is needed.
+/// Which surface each lane has met; most packs see but one, and need not gather.
 template <class V>
-class Rows {
+class Places {
  public:
-  using T = NumberOf<V>;
-
-  template <int width>
-  Rows(const Table<T, width>& table, IndexOf<V> rows, MaskOf<V> lanes) : table_(table.numbers.data()) {
-    const auto first = static_cast<std::size_t>(std::countr_zero(bits(lanes)));
+  Places(IndexOf<V> place, MaskOf<V> lanes) {
     std::array<WholeOf<V>, Lanes<V>::count> places;
-    store(rows, places.data());
-    const WholeOf<V> row = places[first];
-    if (none(lanes & !(rows == IndexOf<V>(row))))
-      common_ = table_ + row * width;
-    else
-      starts_ = select(lanes, shifted_left<std::countr_zero(static_cast<unsigned>(width))>(rows), IndexOf<V>(0));
+    store(place, places.data());
+    common_ = places[static_cast<std::size_t>(std::countr_zero(bits(lanes)))];
+    same_ = none(lanes & !(place == IndexOf<V>(common_)));
+    each_ = select(lanes, place, IndexOf<V>(common_));
   }
 
-  V operator[](int column) const { return common_ != nullptr ? V(common_[column]) : gather(table_ + column, starts_); }
+  bool same() const { return same_; }
+  std::size_t common() const { return static_cast<std::size_t>(common_); }
+  IndexOf<V> each() const { return each_; }
 
  private:
-  const T* table_;
-  const T* common_ = nullptr;
-  IndexOf<V> starts_ = IndexOf<V>(0);
+  IndexOf<V> each_;
+  WholeOf<V> common_;
+  bool same_;
+};
+
+/// What the surfaces are like that the lanes have met.
+template <class V>
+struct Look {
+  Vec3<V> color;
+  V alpha, strength, mirror;
+  MaskOf<V> glass;
+  IndexOf<V> finish_row;
+};
+
+/// The rays that wait, the last come first. They are large, so they stay where they are put: what moves are their numbers.
+template <class Waiting>
+class WaitingRays {
+ public:
+  WaitingRays() {
+    for (std::size_t i = 0; i < most; ++i) free_[i] = static_cast<std::uint8_t>(i);
+  }
+
+  bool empty() const { return size_ == 0; }
+
+  RAYLAB_INLINE void push(const Waiting& rays) {
+    const std::uint8_t place = free_[size_ + held_];
+    order_[size_++] = place;
+    rays_[place] = rays;
+  }
+
+  /// Valid until release().
+  const Waiting& pop() {
+    ++held_;
+    return rays_[order_[--size_]];
+  }
+
+  void release(const Waiting& rays) {
+    --held_;
+    free_[size_ + held_] = static_cast<std::uint8_t>(&rays - rays_.data());
+  }
+
+ private:
+  static constexpr std::size_t most = most_bounces + 2;
+
+  std::array<Waiting, most> rays_;
+  std::array<std::uint8_t, most> order_, free_;  // of free_, the places from size_ + held_ on
+  std::size_t size_ = 0, held_ = 0;
 };
 
 /// Follows the rays of a few pixels at a time, one in each lane, through a prepared scene. Lanes never mix: what one holds
@@ -67,14 +107,27 @@ class Tracer {
   using Index = IndexOf<V>;
 
   Tracer(const Prepared<T>& scene, RayCounts& counts, const std::atomic<bool>& cancel)
-      : scene_(scene), plane_count_(static_cast<Whole>(scene.planes.point.size())), counts_(counts), cancel_(cancel) {}
+      : scene_(scene), plane_count_(static_cast<Whole>(scene.planes.point.size())), counts_(counts), cancel_(cancel) {
+    std::array<T, Lanes<V>::count> x, y;
+    for (int lane = 0; lane < Lanes<V>::count; ++lane) {
+      x[static_cast<std::size_t>(lane)] = static_cast<T>(lane % Tile::width);
+      y[static_cast<std::size_t>(lane)] = static_cast<T>(lane / Tile::width);
+    }
+    tile_x_ = load<V>(x.data());
+    tile_y_ = load<V>(y.data());
+    all_ = tile_x_ >= V(0);
+  }
 
   /// Whole rows, as Engine::trace_rows says.
   void rows(int first_row, std::span<Color> pixels) {
     const int width = scene_.settings.size.width;
     const int height = static_cast<int>(pixels.size() / static_cast<std::size_t>(width));
     for (int row = 0; row < height; row += Tile::height)
-      for (int column = 0; column < width; column += Tile::width) tile(column, row, first_row, width, height, pixels);
+      for (int column = 0; column < width; column += Tile::width) {
+        const int columns = std::min(Tile::width, width - column), rows = std::min(Tile::height, height - row);
+        Color* const corner = &pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+        write(tile(column, first_row + row, columns, rows), columns, rows, corner);
+      }
   }
 
  private:
@@ -94,27 +147,29 @@ class Tracer {
     int bounce;
   };
 
-  void tile(int column, int row, int first_row, int width, int height, std::span<Color> pixels) {
-    const int columns = std::min(Tile::width, width - column), rows = std::min(Tile::height, height - row);
-    std::array<T, Lanes<V>::count> x, y;
-    std::uint32_t inside = 0;
-    for (int lane = 0; lane < Lanes<V>::count; ++lane) {
-      const int i = lane % Tile::width, j = lane / Tile::width;
-      x[static_cast<std::size_t>(lane)] = static_cast<T>(column + i) + T(0.5) - T(0.5) * static_cast<T>(scene_.settings.size.width);
-      y[static_cast<std::size_t>(lane)] = T(0.5) * static_cast<T>(scene_.settings.size.height) - static_cast<T>(first_row + row + j) - T(0.5);
-      if (i < columns && j < rows) inside |= 1u << lane;
+  /// The colors of a tile whose top left pixel is at (column, row) of the image.
+  Vec3<V> tile(int column, int row, int columns, int rows) {
+    // Halves of whole numbers: exact in any T.
+    const ImageSize size = scene_.settings.size;
+    const V x = V(static_cast<T>(column) + T(0.5) - T(0.5) * static_cast<T>(size.width)) + tile_x_;
+    const V y = V(T(0.5) * static_cast<T>(size.height) - static_cast<T>(row) - T(0.5)) - tile_y_;
+    Mask inside = all_;
+    if (columns < Tile::width || rows < Tile::height)
+      inside = (tile_x_ < V(static_cast<T>(columns))) & (tile_y_ < V(static_cast<T>(rows)));
+    return pixel(x, y, inside);
+  }
+
+  void write(const Vec3<V>& color, int columns, int rows, Color* corner) const {
+    std::array<double, 3 * Lanes<V>::count> numbers;
+    store_interleaved(clamped(color.x), clamped(color.y), clamped(color.z), numbers.data());
+    for (int row = 0; row < rows; ++row, corner += scene_.settings.size.width) {
+      static_assert(sizeof(Color) == 3 * sizeof(double));
+      const double* const first = &numbers[static_cast<std::size_t>(3 * row * Tile::width)];
+      if (columns == Tile::width)
+        std::memcpy(static_cast<void*>(corner), first, Tile::width * sizeof(Color));
+      else
+        std::memcpy(static_cast<void*>(corner), first, static_cast<std::size_t>(columns) * sizeof(Color));
     }
-    const Vec3<V> color = pixel(load<V>(x.data()), load<V>(y.data()), mask_of<V>(inside));
-    std::array<std::array<T, Lanes<V>::count>, 3> parts;
-    store(clamped(color.x), parts[0].data());
-    store(clamped(color.y), parts[1].data());
-    store(clamped(color.z), parts[2].data());
-    for (int j = 0; j < rows; ++j)
-      for (int i = 0; i < columns; ++i) {
-        const auto lane = static_cast<std::size_t>(j * Tile::width + i);
-        pixels[static_cast<std::size_t>(row + j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column + i)] = {
-            parts[0][lane], parts[1][lane], parts[2][lane]};
-      }
   }
 
   static Vec3<V> zero() { return {V(0), V(0), V(0)}; }
@@ -131,22 +186,23 @@ class Tracer {
   }
 
   Vec3<V> primary(V x, V y, Mask lanes) {
-    count(lanes, counts_.primary);
+    add(lanes, counts_.primary);
     const PreparedCamera<T>& camera = scene_.camera;
     const Vec3<V> towards = spread<V>(camera.forward) + x * spread<V>(camera.right) + y * spread<V>(camera.up);
     const Vec3<V> d = (V(1) / square_root(dot(towards, towards))) * towards;
     if (scene_.settings.stage == 1) return V(T(0.5)) * (d + Vec3<V>{V(1), V(1), V(1)});
-    return color({{spread<V>(camera.position), d, Index(-1), mask_of<V>(0)}, V(1), lanes, 0});
+    return color({spread<V>(camera.position), d, Index(-1), mask_of<V>(0)}, lanes);
   }
 
   /// The color at the end of primary rays. Glass splits a ray in two: those to come wait on a stack, which never holds more
   /// than one for each bounce.
-  Vec3<V> color(const Waiting& primary_rays) {
+  Vec3<V> color(const Ray<V>& primary_rays, Mask lanes) {
     Vec3<V> sum = zero();
-    waiting_[waiting_count_++] = primary_rays;
-    while (waiting_count_ > 0) {
-      const Waiting next = waiting_[--waiting_count_];
+    waiting_.push({primary_rays, V(1), lanes, 0});
+    while (!waiting_.empty()) {
+      const Waiting& next = waiting_.pop();
       sum = select(next.lanes, sum + next.weight * surface_color(next), sum);
+      waiting_.release(next);
     }
     return sum;
   }
@@ -158,16 +214,32 @@ class Tracer {
     const Mask met = from.lanes & (nearest.place >= Index(0));
     const Vec3<V> background = spread<V>(scene_.background);
     if (none(met)) return background;
-    const Rows<V> surface(scene_.surfaces, nearest.place, met);
-    const Vec3<V> own = {surface[red], surface[green], surface[blue]};
-    if (scene_.settings.stage == 2) return select(met, own, background);
-    const Rows<V> look(scene_.finishes, whole(surface[finish]), met);
-    const Hit<V> hit = hit_at(from.ray, nearest, met);
-    const Mask glass = scene_.features.glass ? met & (look[is_glass] > V(0)) : mask_of<V>(0);
+    const Places<V> places(nearest.place, met);
+    const Look<V> look = look_at(places);
+    if (scene_.settings.stage == 2) return select(met, look.color, background);
+    const Hit<V> hit = hit_at(from.ray, nearest, places, met);
+    const Mask glass = met & look.glass;
     const Mask lit = met & !glass;
     send_on(from, hit, look, met, glass);
-    const Vec3<V> seen = any(lit) ? tinted(light_on(hit, from.ray.direction, look, lit), own) : zero();
+    const Vec3<V> seen = any(lit) ? tinted(light_on(hit, from.ray.direction, look, lit), look.color) : zero();
     return select(lit, seen, select(glass, zero(), background));
+  }
+
+  Look<V> look_at(const Places<V>& places) const {
+    const T* const surfaces = scene_.surfaces.numbers.data();
+    const T* const finishes = scene_.finishes.numbers.data();
+    if (places.same()) {
+      const T* const surface = surfaces + places.common() * surface_columns;
+      const Whole row = static_cast<Whole>(surface[finish]) * finish_columns;
+      const T* const look = finishes + row;
+      return {{V(surface[red]), V(surface[green]), V(surface[blue])}, V(look[alpha]), V(look[strength]), V(look[mirror]),
+              V(look[is_glass]) > V(0), Index(row)};
+    }
+    const Index surface = shifted_left<std::countr_zero(unsigned{surface_columns})>(places.each());
+    const Index row = shifted_left<std::countr_zero(unsigned{finish_columns})>(whole(gather(surfaces + finish, surface)));
+    return {{gather(surfaces + red, surface), gather(surfaces + green, surface), gather(surfaces + blue, surface)},
+            gather(finishes + alpha, row), gather(finishes + strength, row), gather(finishes + mirror, row),
+            gather(finishes + is_glass, row) > V(0), row};
   }
 
   // ---- Intersections ------------------------------------------------------------------------------------------------
@@ -182,11 +254,14 @@ class Tracer {
       best.place = select(closer, place, best.place);
     }
     if (any(ray.inwards)) meet_own_sphere(ray, lanes & ray.inwards, best);
-    for (const SphereGroup* group : {&scene_.spheres.opaque, &scene_.spheres.glass}) {
-      for (std::size_t i = group->begin; i < group->loop_end; ++i) meet_sphere(ray, lanes, i, best);
-      if (group->hierarchy) search_nearest(ray, lanes, *group, best);
-    }
+    nearest_of_group(ray, lanes, scene_.spheres.opaque, best);
+    nearest_of_group(ray, lanes, scene_.spheres.glass, best);
     return best;
+  }
+
+  RAYLAB_INLINE void nearest_of_group(const Ray<V>& ray, Mask lanes, const SphereGroup& group, Nearest<V>& best) {
+    for (std::size_t i = group.begin; i < group.loop_end; ++i) meet_sphere(ray, lanes, i, best);
+    if (group.hierarchy) search_nearest(ray, lanes, group, best);
   }
 
   /// The place in Spheres of each lane's sphere; 0 in the lanes that have none.
@@ -208,24 +283,28 @@ class Tracer {
 
   /// Lanes whose line passes sphere i closely enough, but for those that leave it, that have it behind them, or that have met
   /// something nearer for certain.
-  Mask may_meet(const Ray<V>& ray, Mask lanes, std::size_t i, const Passing<V>& passing, V limit) const {
+  RAYLAB_INLINE Mask may_meet(Index leaves, Mask lanes, std::size_t i, const Passing<V>& passing, V limit) const {
     const V reach(scene_.spheres.reach[i]);
     const Mask close = lanes & (passing.apart <= reach);
     if (none(close)) return close;
     const V radius(scene_.spheres.radius[i] * (1 + 256 * std::numeric_limits<T>::epsilon()));
     const Mask ahead = (passing.b < V(0)) | (passing.b * passing.b + passing.apart <= reach);
-    return close & ahead & (-passing.b - radius <= limit) & !(ray.leaves == place_of(i));
+    return close & ahead & (-passing.b - radius <= limit) & !(leaves == place_of(i));
   }
 
   Index place_of(std::size_t sphere) const { return Index(plane_count_ + static_cast<Whole>(sphere)); }
 
   RAYLAB_INLINE void meet_sphere(const Ray<V>& ray, Mask lanes, std::size_t i, Nearest<V>& best) const {
-    const Vec3<V> c = center(i);
-    const Passing<V> passing = pass(ray.origin, ray.direction, c);
-    const Mask asked = may_meet(ray, lanes, i, passing, best.t);
+    const Passing<V> passing = pass(ray.origin, ray.direction, center(i));
+    const Mask asked = may_meet(ray.leaves, lanes, i, passing, best.t);
     if (none(asked)) return;
-    const Meeting<V> meeting = meet(asked, passing, ray.origin, c, V(scene_.spheres.radius[i]));
+    const Meeting<V> meeting = meet_one(ray.origin, asked, passing, i);
     update(meeting.met, meeting.t, place_of(i), best);
+  }
+
+  RAYLAB_INLINE Meeting<V> meet_one(const Vec3<V>& origin, Mask asked, const Passing<V>& passing, std::size_t i) const {
+    const V radius(scene_.spheres.radius[i]);
+    return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(origin, center(i), radius); });
   }
 
   /// The nearer one wins; of equal t the one that stands first in the scene (D7).
@@ -322,7 +401,8 @@ class Tracer {
     const Mask close = passing.apart <= load<V>(&spheres.reach[i]);
     if (none(close)) return {close, V(0), V(0), close};
     const Mask asked = close & !(lane_numbers<V>() + place_of(i) == Index(ray.leaves));
-    return meet(asked, passing, o, c, load<V>(&spheres.radius[i]));
+    const V radius = load<V>(&spheres.radius[i]);
+    return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(o, c, radius); });
   }
 
   void search_nearest_alone(const Alone& ray, const SphereGroup& group, T& t, Whole& place) const {
@@ -377,7 +457,7 @@ class Tracer {
   };
 
   /// The point and the normal that the rays of `met` have reached.
-  Hit<V> hit_at(const Ray<V>& ray, const Nearest<V>& nearest, Mask met) const {
+  Hit<V> hit_at(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask met) const {
     Hit<V> hit;
     hit.normal = hit.center = zero();
     hit.radius = V(0);
@@ -385,7 +465,7 @@ class Tracer {
     hit.point = ray.origin + nearest.t * ray.direction;
     hit.inside = mask_of<V>(0);
     const Mask spheres = met & (nearest.place >= Index(plane_count_));
-    if (any(spheres)) on_sphere(ray, nearest, spheres, hit);
+    if (any(spheres)) on_sphere(ray, nearest, places, spheres, hit);
     for (std::size_t i = 0; i < scene_.planes.normal.size(); ++i) {
       const Mask here = met & (nearest.place == Index(static_cast<Whole>(i)));
       if (none(here)) continue;
@@ -397,12 +477,20 @@ class Tracer {
 
   /// The vector from the centre is put together from the foot and half the chord, not from the point and the centre: far
   /// away these two are too close to each other.
-  void on_sphere(const Ray<V>& ray, const Nearest<V>& nearest, Mask lanes, Hit<V>& hit) const {
-    const Index sphere = sphere_of(nearest.place, lanes);
-    hit.center = centers(sphere);
-    hit.radius = gather(scene_.spheres.radius.data(), sphere);
+  void on_sphere(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask lanes, Hit<V>& hit) const {
+    if (places.same()) {
+      const std::size_t sphere = places.common() - static_cast<std::size_t>(plane_count_);
+      hit.center = center(sphere);
+      hit.radius = V(scene_.spheres.radius[sphere]);
+    } else {
+      const Index sphere = sphere_of(places.each(), lanes);
+      hit.center = centers(sphere);
+      hit.radius = gather(scene_.spheres.radius.data(), sphere);
+    }
     const Passing<V> passing = pass(ray.origin, ray.direction, hit.center);
-    const Meeting<V> meeting = meet(lanes, passing, ray.origin, hit.center, hit.radius);
+    const Meeting<V> meeting = meet(lanes, passing, hit.radius, [&]() RAYLAB_ATTRIBUTE {
+      return gap_to_sphere(ray.origin, hit.center, hit.radius);
+    });
     const Mask own = lanes & ray.inwards & (ray.leaves == nearest.place);
     hit.inside = lanes & (own | meeting.inside);
     const V along = select(own, nearest.t + passing.b, select(meeting.inside, meeting.half, -meeting.half));
@@ -419,9 +507,23 @@ class Tracer {
     const Sides& sides;
   };
 
+  /// The segment from `origin` along `direction`, the same in every lane, and what is within `radius` of it.
+  struct Beam {
+    Vec3<V> origin, direction;
+    V radius, length;
+  };
+
+  /// A ball around points: within `radius` of the one in lane `first`.
+  struct Area {
+    std::size_t first;
+    Vec3<V> middle;
+    V radius;
+  };
+
   /// All the light that surfaces send back against `d`, but for their colors.
-  V light_on(const Hit<V>& hit, const Vec3<V>& d, const Rows<V>& look, Mask lit) {
+  V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit) {
     V sum(scene_.ambient);
+    const Area area = area_of(hit.point, lit);
     for (const PreparedPointLight<T>& light : scene_.point_lights) {
       const Vec3<V> way = spread<V>(light.position) - hit.point;
       const V r = square_root(dot(way, way));
@@ -430,31 +532,32 @@ class Tracer {
       const V inverse = V(1) / (r * beyond);
       const V fall_off = inverse * r;
       const Seen seen = {(inverse * beyond) * way, r, light.sides};
-      sum = sum + light_from(seen, hit, d, look, lit & (r > V(0))) * (V(light.intensity) * (fall_off * fall_off));
+      sum = sum + light_from(seen, hit, area, d, look, lit & (r > V(0))) * (V(light.intensity) * (fall_off * fall_off));
     }
     for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {
       const Seen seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.sides};
-      sum = sum + light_from(seen, hit, d, look, lit) * V(light.intensity);
+      sum = sum + light_from(seen, hit, area, d, look, lit) * V(light.intensity);
     }
     return sum;
   }
 
   /// Before the light's strength; 0 where the light is not seen.
-  V light_from(const Seen& light, const Hit<V>& hit, const Vec3<V>& d, const Rows<V>& look, Mask lit) {
+  RAYLAB_INLINE V light_from(const Seen& light, const Hit<V>& hit, const Area& area, const Vec3<V>& d, const Look<V>& look,
+                             Mask lit) {
     const V cosine = dot(light.l, hit.normal);
     lit = lit & (cosine > V(0));
     if (scene_.features.lights_in_planes) lit = lit & !in_own_plane(hit, light.sides);
     if (none(lit)) return V(0);
     if (scene_.features.shadows) {
-      lit = unblocked(hit, light, lit);
+      lit = unblocked(hit, area, light, lit);
       if (none(lit)) return V(0);
     }
     return select(lit, scene_.features.highlights ? cosine + shine(light, hit, d, look, lit) : cosine, V(0));
   }
 
-  V shine(const Seen& light, const Hit<V>& hit, const Vec3<V>& d, const Rows<V>& look, Mask lit) const {
-    const V k_s = look[strength];
-    return k_s * highlight(lit & (k_s > V(0)), light.l, hit.normal, -d, look[alpha]);
+  V shine(const Seen& light, const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit) const {
+    const V k_s = look.strength;
+    return k_s * highlight(lit & (k_s > V(0)), light.l, hit.normal, -d, look.alpha);
   }
 
   /// Is the light in the very plane that it would light? The rounded cosine is not 0 then, and may be above it.
@@ -465,20 +568,52 @@ class Tracer {
     return in;
   }
 
+  Area area_of(const Vec3<V>& points, Mask lanes) const {
+    Area area;
+    area.first = static_cast<std::size_t>(std::countr_zero(bits(lanes)));
+    area.middle = {lane(points.x, area.first), lane(points.y, area.first), lane(points.z, area.first)};
+    const Vec3<V> apart = points - area.middle;
+    area.radius = square_root(V(greatest_lane(select(lanes, dot(apart, apart), V(0)))));
+    return area;
+  }
+
+  static V lane(V a, std::size_t i) {
+    std::array<T, Lanes<V>::count> numbers;
+    store(a, numbers.data());
+    return V(numbers[i]);
+  }
+
   /// Those of `asked` that nothing opaque hides from the light.
-  Mask unblocked(const Hit<V>& hit, const Seen& light, Mask asked) {
-    count(asked, counts_.shadow);
+  RAYLAB_INLINE Mask unblocked(const Hit<V>& hit, const Area& area, const Seen& light, Mask asked) {
+    add(asked, counts_.shadow);
     Mask open = not_behind_planes(hit, light.sides, asked);
-    const Ray<V> shadow = {hit.point, light.l, hit.place, hit.inside};
     const SphereGroup& opaque = scene_.spheres.opaque;
     const Mask inside = open & hit.inside & (hit.place < place_of(scene_.spheres.glass.begin));
-    if (any(inside)) open = open & !(inside & far_side_blocks(shadow, light.distance, inside));
-    for (std::size_t i = opaque.begin; i < opaque.loop_end; ++i) {
-      if (none(open)) return open;
-      open = open & !blocked_by(shadow, light.distance, open, i);
-    }
-    if (opaque.hierarchy && any(open)) open = search_unblocked(shadow, light.distance, open);
+    if (any(inside)) open = open & !(inside & far_side_blocks(hit, light, inside));
+    const Beam beam = {area.middle,
+                       {lane(light.l.x, area.first), lane(light.l.y, area.first), lane(light.l.z, area.first)},
+                       area.radius,
+                       lane(light.distance, area.first)};
+    for (std::size_t i = opaque.begin; i < opaque.loop_end; i += Lanes<V>::count)
+      for (std::uint32_t near = reached(beam, i, opaque.loop_end); near != 0 && any(open); near &= near - 1)
+        open = open & !blocked_by(hit, light, open, i + static_cast<std::size_t>(std::countr_zero(near)));
+    if (opaque.hierarchy && any(open)) open = search_unblocked(hit, light, open);
     return open;
+  }
+
+  /// Bit k: is sphere begin + k, before `end`, within `radius` of the segment? All that shadow rays to one light can meet is:
+  /// they start in a ball and end in a point, or run in parallel.
+  std::uint32_t reached(const Beam& beam, std::size_t begin, std::size_t end) const {
+    constexpr T rounding = 64 * std::numeric_limits<T>::epsilon();
+    const Spheres<T>& spheres = scene_.spheres;
+    const Vec3<V> f = Vec3<V>{load<V>(&spheres.center.x[begin]), load<V>(&spheres.center.y[begin]),
+                              load<V>(&spheres.center.z[begin])} - beam.origin;
+    const V along = least(greatest(dot(f, beam.direction), V(0)), beam.length);
+    const Vec3<V> apart = f - along * beam.direction;
+    const V radius = V(T(1.001)) * (load<V>(&spheres.radius[begin]) + beam.radius) + V(rounding) * along;
+    const std::size_t left = end - begin;
+    const std::uint32_t there = left >= 32 ? ~0u : (1u << left) - 1;
+    return bits(!(dot(apart, apart) > radius * radius)) & there;
   }
 
   Mask not_behind_planes(const Hit<V>& hit, const Sides& sides, Mask asked) const {
@@ -491,34 +626,34 @@ class Tracer {
     return asked;
   }
 
-  Mask far_side_blocks(const Ray<V>& shadow, V distance, Mask lanes) const {
-    return far_side(pass(shadow.origin, shadow.direction, centers(sphere_of(shadow.leaves, lanes)))) < distance;
+  Mask far_side_blocks(const Hit<V>& hit, const Seen& light, Mask lanes) const {
+    return far_side(pass(hit.point, light.l, centers(sphere_of(hit.place, lanes)))) < light.distance;
   }
 
-  RAYLAB_INLINE Mask blocked_by(const Ray<V>& shadow, V distance, Mask open, std::size_t i) const {
-    const Vec3<V> c = center(i);
-    const Passing<V> passing = pass(shadow.origin, shadow.direction, c);
-    const Mask asked = may_meet(shadow, open, i, passing, distance);
+  RAYLAB_INLINE Mask blocked_by(const Hit<V>& hit, const Seen& light, Mask open, std::size_t i) const {
+    const Passing<V> passing = pass(hit.point, light.l, center(i));
+    const Mask asked = may_meet(hit.place, open, i, passing, light.distance);
     if (none(asked)) return asked;
-    const Meeting<V> meeting = meet(asked, passing, shadow.origin, c, V(scene_.spheres.radius[i]));
-    return meeting.met & (meeting.t < distance);
+    const Meeting<V> meeting = meet_one(hit.point, asked, passing, i);
+    return meeting.met & (meeting.t < light.distance);
   }
 
-  Mask search_unblocked(const Ray<V>& shadow, V distance, Mask open) const {
+  Mask search_unblocked(const Hit<V>& hit, const Seen& light, Mask open) const {
     const SphereGroup& group = scene_.spheres.opaque;
+    const Ray<V> shadow = {hit.point, light.l, hit.place, hit.inside};
     const Bundle bundle(shadow, open);
     if (bundle.coherent()) {
-      const float limit = as_limit(greatest_lane(select(open, distance, V(-1))));
+      const float limit = as_limit(greatest_lane(select(open, light.distance, V(-1))));
       search(*group.hierarchy, Probe(*group.hierarchy, bundle.bounds()), limit, [&](std::size_t begin, std::size_t count) {
         for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; ++i)
-          open = open & !blocked_by(shadow, distance, open, i);
+          open = open & !blocked_by(hit, light, open, i);
         return any(open) ? limit : -1.0f;
       });
       return open;
     }
     Single single(shadow);
     std::array<T, Lanes<V>::count> distances;
-    store(distance, distances.data());
+    store(light.distance, distances.data());
     std::uint32_t unblocked = 0;
     for (std::uint32_t rest = bits(open); rest != 0; rest &= rest - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
@@ -548,12 +683,12 @@ class Tracer {
 
   // ---- Bounces ------------------------------------------------------------------------------------------------------
 
-  void send_on(const Waiting& from, const Hit<V>& hit, const Rows<V>& look, Mask met, Mask glass) {
+  void send_on(const Waiting& from, const Hit<V>& hit, const Look<V>& look, Mask met, Mask glass) {
     if (from.bounce >= scene_.settings.max_bounces) return;
     if (any(glass))
       send_from_glass(from, hit, look, met, glass);
     else if (scene_.features.mirrors)
-      send_reflected(from, hit, look[mirror], met);
+      send_reflected(from, hit, look.mirror, met);
   }
 
   void send_reflected(const Waiting& from, const Hit<V>& hit, V weight, Mask lanes) {
@@ -563,12 +698,14 @@ class Tracer {
   }
 
   /// From glass in the lanes of `glass`, which sends on two rays, and from mirrors in the others.
-  void send_from_glass(const Waiting& from, const Hit<V>& hit, const Rows<V>& look, Mask met, Mask glass) {
+  void send_from_glass(const Waiting& from, const Hit<V>& hit, const Look<V>& look, Mask met, Mask glass) {
     const Vec3<V>& d = from.ray.direction;
-    const Glass<V> what = {look[ior], look[ior_squared_minus_1], look[r0]};
+    const T* const finishes = scene_.finishes.numbers.data();
+    const Glass<V> what = {gather(finishes + ior, look.finish_row), gather(finishes + ior_squared_minus_1, look.finish_row),
+                           gather(finishes + r0, look.finish_row)};
     const Refraction<V> refraction = refract(d, hit.normal, hit.inside, what);
     const Parts<V> parts = schlick(refraction, hit.inside, what);
-    send_reflected(from, hit, select(glass, parts.reflected, look[mirror]), met);
+    send_reflected(from, hit, select(glass, parts.reflected, look.mirror), met);
     const Mask through = glass & (parts.refracted > V(0));
     Refracted<V> ahead = through_sphere(refraction, d, hit.normal, hit.center, hit.radius, what);
     if (any(through & hit.inside)) {
@@ -582,18 +719,19 @@ class Tracer {
     const V reaches_pixel = from.weight * weight;
     lanes = lanes & (reaches_pixel > V(0));
     if (none(lanes)) return;
-    count(lanes, counter);
-    waiting_[waiting_count_++] = {ray, reaches_pixel, lanes, from.bounce + 1};
+    add(lanes, counter);
+    waiting_.push({ray, reaches_pixel, lanes, from.bounce + 1});
   }
 
-  static void count(Mask lanes, std::uint64_t& counter) { counter += static_cast<std::uint64_t>(std::popcount(bits(lanes))); }
+  static void add(Mask lanes, std::uint64_t& counter) { counter += count(lanes); }
 
   const Prepared<T>& scene_;
   const Whole plane_count_;
+  V tile_x_, tile_y_;  // of each lane, in its tile
+  Mask all_;
   RayCounts& counts_;
   const std::atomic<bool>& cancel_;
-  std::array<Waiting, most_bounces + 2> waiting_;
-  std::size_t waiting_count_ = 0;
+  WaitingRays<Waiting> waiting_;
 };
 
 /// A kernel's entry: see TraceRows.
