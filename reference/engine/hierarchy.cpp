@@ -324,7 +324,7 @@ class NodeBuilder {
 
   void build(std::span<Leaf> leaves, int level) {
     const std::size_t number = nodes_.size();
-    nodes_.emplace_back();
+    nodes_.emplace_back().child.fill(Hierarchy::Child::nothing());
     const std::vector<Group> groups = divided(leaves, level);
     for (std::size_t slot = 0; slot < Hierarchy::width; ++slot) {
       const Box box = slot < groups.size() ? groups[slot].box : Box{};

@@ -28,7 +28,9 @@ class Hierarchy {
       return Child(leaf_flag | static_cast<std::uint32_t>(begin << count_bits | count));
     }
 
-    Child() : word_(leaf_flag) {}  ///< a leaf without spheres
+    static Child nothing() { return Child(leaf_flag); }  ///< a leaf without spheres
+
+    Child() = default;  ///< not set: stacks of children are made often
     bool is_leaf() const { return (word_ & leaf_flag) != 0; }
     std::size_t number() const { return word_; }
     std::size_t begin() const { return (word_ & ~leaf_flag) >> count_bits; }

@@ -227,14 +227,10 @@ class Eight {
     for (std::size_t i = 0; i < parts; ++i) hn::StoreU(raw_[i], PartTag(), numbers.data() + i * lanes);
   }
 
-  friend HWY_INLINE Eight operator-(const Eight& a, const Eight& b) {
+  /// a b - c. Fused where the target can: the bits may differ, so this is for nothing that a pixel's color depends on.
+  friend HWY_INLINE Eight multiply_subtract(const Eight& a, const Eight& b, const Eight& c) {
     Eight result;
-    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Sub(a.raw_[i], b.raw_[i]);
-    return result;
-  }
-  friend HWY_INLINE Eight operator*(const Eight& a, const Eight& b) {
-    Eight result;
-    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Mul(a.raw_[i], b.raw_[i]);
+    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::MulSub(a.raw_[i], b.raw_[i], c.raw_[i]);
     return result;
   }
   friend HWY_INLINE Eight lesser(const Eight& a, const Eight& b) {

@@ -155,11 +155,10 @@ class Eight {
   }
   void store(std::array<float, 8>& numbers) const { numbers = numbers_; }
 
-  friend Eight operator-(const Eight& a, const Eight& b) {
-    return each(a, b, [](float x, float y) { return x - y; });
-  }
-  friend Eight operator*(const Eight& a, const Eight& b) {
-    return each(a, b, [](float x, float y) { return x * y; });
+  friend Eight multiply_subtract(const Eight& a, const Eight& b, const Eight& c) {
+    Eight result;
+    for (std::size_t i = 0; i < 8; ++i) result.numbers_[i] = a.numbers_[i] * b.numbers_[i] - c.numbers_[i];
+    return result;
   }
   friend Eight lesser(const Eight& a, const Eight& b) {
     return each(a, b, [](float x, float y) { return x < y ? x : y; });

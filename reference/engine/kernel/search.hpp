@@ -2,44 +2,43 @@
 
 namespace raylab::fast::RAYLAB_TARGET {
 
-/// Tests rays against the boxes of a node, all eight at once. For one ray or a bundle of them: then a box is left out only
-/// if certainly none of the rays meets it.
+/// Tests a ray, or all that is within `radius` of it, against the boxes of a node, all eight at once.
 ///
-/// The boxes are wider by what rounding can do to the ray, to the box and to the sphere test together, as far from the
-/// middle as the ray starts: whatever the sphere test would have called a hit, a box never hides. So the picture is the
-/// same, to the bit, with the hierarchy and without it.
+/// The boxes are widened by the radius, and by what rounding can do to the ray, to the box and to the sphere test together,
+/// as far from the middle as the ray starts: whatever the sphere test would have called a hit, a box never hides. So the
+/// picture is the same, to the bit, with the hierarchy and without it.
 class Probe {
  public:
-  /// Component by component, the bounds of where the rays start and of their directions.
-  struct Bounds {
-    std::array<double, 3> low_origin, high_origin;
-    std::array<double, 3> low_direction, high_direction;
-  };
-
-  Probe(const Hierarchy& hierarchy, const Bounds& rays) {
-    constexpr float rounding = 0x1p-19f;
-    std::array<float, 3> low{}, high{};
-    float farthest = hierarchy.extent();
+  template <class T>
+  Probe(const Hierarchy& hierarchy, const Point<T>& origin, const Point<T>& direction, double radius) {
+    constexpr float rounding = 0x1p-18f;
+    const std::array<double, 3>& middle = hierarchy.middle();
+    const std::array<float, 3> from = {static_cast<float>(origin.x - middle[0]), static_cast<float>(origin.y - middle[1]),
+                                       static_cast<float>(origin.z - middle[2])};
+    const std::array<float, 3> along = {static_cast<float>(direction.x), static_cast<float>(direction.y),
+                                        static_cast<float>(direction.z)};
+    const float farthest = std::max({hierarchy.extent(), std::abs(from[0]), std::abs(from[1]), std::abs(from[2])});
+    const float wider = static_cast<float>(radius) * (1 + rounding) + rounding * farthest;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = static_cast<float>(rays.low_origin[axis] - hierarchy.middle()[axis]);
-      high[axis] = static_cast<float>(rays.high_origin[axis] - hierarchy.middle()[axis]);
-      farthest = std::max(farthest, std::max(std::abs(low[axis]), std::abs(high[axis])));
+      Axis& a = axes_[axis];
+      a.negative = along[axis] < 0;
+      // A component of 0, which has no reciprocal, is as good as 1e-18.
+      const float inverse = (a.negative ? -1 : 1) / std::max(std::abs(along[axis]), 1e-18f);
+      a.inverse = Eight(inverse);
+      a.entry_start = Eight((a.negative ? from[axis] - wider : from[axis] + wider) * inverse);
+      a.exit_start = Eight((a.negative ? from[axis] + wider : from[axis] - wider) * inverse);
     }
-    const float wider = 2 * rounding * farthest;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      set_axis(axis, low[axis] - wider, high[axis] + wider, static_cast<float>(rays.low_direction[axis]),
-               static_cast<float>(rays.high_direction[axis]));
   }
 
-  /// Bit i: may a ray meet something in the box of child i at up to `limit`? `near` gets the distances of the boxes.
+  /// Bit i: may there be something in the box of child i, at up to `limit`? `near` gets the distances of the boxes.
   std::uint32_t boxes_met(const Hierarchy::Node& node, float limit, std::array<float, 8>& near) const {
     Eight from(0.0f), to(limit);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Axis& a = axes_[axis];
-      const Eight entry = Eight::load(a.negative ? node.high[axis] : node.low[axis]) - a.entry_origin;
-      const Eight exit = Eight::load(a.negative ? node.low[axis] : node.high[axis]) - a.exit_origin;
-      from = greater(from, lesser(entry * a.low_inverse, entry * a.high_inverse));
-      to = lesser(to, greater(exit * a.low_inverse, exit * a.high_inverse));
+      const Eight entry = Eight::load(a.negative ? node.high[axis] : node.low[axis]);
+      const Eight exit = Eight::load(a.negative ? node.low[axis] : node.high[axis]);
+      from = greater(from, multiply_subtract(entry, a.inverse, a.entry_start));
+      to = lesser(to, multiply_subtract(exit, a.inverse, a.exit_start));
     }
     from.store(near);
     return at_most(from, to);
@@ -47,26 +46,9 @@ class Probe {
 
  private:
   struct Axis {
-    Eight entry_origin, exit_origin, low_inverse, high_inverse;
-    bool negative = false;
+    Eight inverse, entry_start, exit_start;
+    bool negative;
   };
-
-  /// A direction's component of 0, which has no reciprocal, is as good as 1e-18.
-  static float reciprocal(float a, bool negative) { return (negative ? -1 : 1) / std::max(std::abs(a), 1e-18f); }
-
-  void set_axis(std::size_t axis, float low, float high, float low_direction, float high_direction) {
-    Axis& a = axes_[axis];
-    if (low_direction < 0 && high_direction > 0) {  // towards both ends: this axis excludes nothing
-      constexpr float all = 1e18f;
-      a = {Eight(all), Eight(-all), Eight(all), Eight(all), false};
-      return;
-    }
-    a.negative = low_direction < 0;
-    a.entry_origin = Eight(a.negative ? low : high);
-    a.exit_origin = Eight(a.negative ? high : low);
-    a.low_inverse = Eight(reciprocal(high_direction, a.negative));
-    a.high_inverse = Eight(reciprocal(low_direction, a.negative));
-  }
 
   std::array<Axis, 3> axes_;
 };
@@ -88,8 +70,12 @@ void search(const Hierarchy& hierarchy, const Probe& probe, float limit, Leaf le
     else {
       const Hierarchy::Node& node = hierarchy.nodes()[next.number()];
       std::array<float, 8> near;
-      const std::size_t first = size;
-      for (std::uint32_t met = probe.boxes_met(node, limit, near); met != 0; met &= met - 1) {
+      std::uint32_t met = probe.boxes_met(node, limit, near);
+      if (std::has_single_bit(met)) {
+        next = node.child[static_cast<std::size_t>(std::countr_zero(met))];
+        continue;
+      }
+      for (const std::size_t first = size; met != 0; met &= met - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(met));
         std::size_t at = size++;
         for (; at > first && stack[at - 1].near < near[i]; --at) stack[at] = stack[at - 1];

@@ -242,6 +242,98 @@ class Tracer {
             gather(finishes + is_glass, row) > V(0), row};
   }
 
+  // ---- What the rays of a pack have in common -----------------------------------------------------------------------
+
+  /// A ball around points: within `radius` of the one in lane `first`.
+  struct Area {
+    std::size_t first;
+    Point<T> middle;
+    T radius;
+  };
+
+  /// All that is within a distance of a segment, which is `radius` where that starts, and grows.
+  struct Beam {
+    Point<T> origin, direction;
+    T radius;
+    T growth;  ///< for each unit of length
+    T length;
+  };
+
+  static T lane(V a, std::size_t i) {
+    std::array<T, Lanes<V>::count> numbers;
+    store(a, numbers.data());
+    return numbers[i];
+  }
+
+  static Point<T> lane(const Vec3<V>& a, std::size_t i) { return {lane(a.x, i), lane(a.y, i), lane(a.z, i)}; }
+
+  static T greatest_distance(const Vec3<V>& from, const Point<T>& to, Mask lanes) {
+    const Vec3<V> apart = from - spread<V>(to);
+    return std::sqrt(greatest_lane(select(lanes, dot(apart, apart), V(0))));
+  }
+
+  static Area area_of(const Vec3<V>& points, Mask lanes) {
+    // One from the middle of the tile, if there is one.
+    constexpr std::uint32_t inner = Lanes<V>::count == 16 ? 0x0660 : Lanes<V>::count == 8 ? 0x66 : ~0u;
+    const std::uint32_t all = bits(lanes);
+    const auto first = static_cast<std::size_t>(std::countr_zero((all & inner) != 0 ? all & inner : all));
+    const Point<T> middle = lane(points, first);
+    return {first, middle, greatest_distance(points, middle, lanes)};
+  }
+
+  static Beam beam_of(const Ray<V>& ray, Mask lanes, V limit) {
+    const Area start = area_of(ray.origin, lanes);
+    const Point<T> direction = lane(ray.direction, start.first);
+    return {start.middle, direction, start.radius, greatest_distance(ray.direction, direction, lanes),
+            greatest_lane(select(lanes, limit, V(0)))};
+  }
+
+  /// Bit k: may a ray of the beam meet sphere begin + k, before `end`? A hit is at most 2 (R + radius) / (1 - growth) further
+  /// along than the sphere's centre, and a beam that grows faster than this reaches everything.
+  static constexpr T fastest_growth = T(0.25);
+
+  std::uint32_t reached(const Beam& beam, std::size_t begin, std::size_t end) const {
+    constexpr T rounding = 64 * std::numeric_limits<T>::epsilon();
+    const Spheres<T>& spheres = scene_.spheres;
+    const std::size_t left = end - begin;
+    const std::uint32_t there = left >= 32 ? ~0u : (1u << left) - 1;
+    const Vec3<V> c = {load<V>(&spheres.center.x[begin]), load<V>(&spheres.center.y[begin]), load<V>(&spheres.center.z[begin])};
+    const Vec3<V> direction = spread<V>(beam.direction);
+    const Vec3<V> f = c - spread<V>(beam.origin);
+    const V along = least(greatest(dot(f, direction), V(0)), V(beam.length));
+    const Vec3<V> apart = f - along * direction;
+    const V radius = V(T(1.001) + 3 * beam.growth) * (load<V>(&spheres.radius[begin]) + V(beam.radius)) +
+                     V(rounding + T(1.5) * beam.growth) * along;
+    return bits(!(dot(apart, apart) > radius * radius)) & there;
+  }
+
+  /// Calls visit(i) for the spheres from `begin` up to `end` that the beam reaches, until it returns false.
+  template <class Visit>
+  RAYLAB_INLINE void for_each_reached(const Beam& beam, std::size_t begin, std::size_t end, Visit visit) const {
+    if (Lanes<V>::count == 1 || !(beam.growth < fastest_growth)) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (!visit(i)) return;
+      return;
+    }
+    for (std::size_t i = begin; i < end; i += Lanes<V>::count)
+      for (std::uint32_t near = reached(beam, i, end); near != 0; near &= near - 1)
+        if (!visit(i + static_cast<std::size_t>(std::countr_zero(near)))) return;
+  }
+
+  /// A hierarchy is searched for the rays of a pack together where they are some, and stay together; if they turn out to
+  /// meet too many leaves, or are few, for each of them alone.
+  static constexpr std::size_t least_together = 3;
+  static constexpr T widest_together = T(0.1);
+  static constexpr int most_leaves_together = 6;
+
+  static Probe probe_for(const Beam& beam, const Hierarchy& hierarchy) {
+    const std::array<double, 3>& middle = hierarchy.middle();
+    const double to_middle = std::max({std::abs(beam.origin.x - middle[0]), std::abs(beam.origin.y - middle[1]),
+                                       std::abs(beam.origin.z - middle[2])});
+    const double farthest = std::min<double>(beam.length, 2 * (to_middle + hierarchy.extent()));
+    return Probe(hierarchy, beam.origin, beam.direction, beam.radius + beam.growth * farthest);
+  }
+
   // ---- Intersections ------------------------------------------------------------------------------------------------
 
   Nearest<V> nearest_surface(const Ray<V>& ray, Mask lanes) {
@@ -254,14 +346,24 @@ class Tracer {
       best.place = select(closer, place, best.place);
     }
     if (any(ray.inwards)) meet_own_sphere(ray, lanes & ray.inwards, best);
-    nearest_of_group(ray, lanes, scene_.spheres.opaque, best);
-    nearest_of_group(ray, lanes, scene_.spheres.glass, best);
+    if (scene_.spheres.radius.size() > 0) nearest_sphere(ray, lanes, best);
     return best;
   }
 
-  RAYLAB_INLINE void nearest_of_group(const Ray<V>& ray, Mask lanes, const SphereGroup& group, Nearest<V>& best) {
-    for (std::size_t i = group.begin; i < group.loop_end; ++i) meet_sphere(ray, lanes, i, best);
-    if (group.hierarchy) search_nearest(ray, lanes, group, best);
+  void nearest_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
+    if (scene_.spheres.radius.size() <= 2 * Spheres<T>::padding + 8) {
+      for (const SphereGroup* group : {&scene_.spheres.opaque, &scene_.spheres.glass})
+        for (std::size_t i = group->begin; i < group->loop_end; ++i) meet_sphere(ray, lanes, i, best);
+      return;
+    }
+    const Beam beam = beam_of(ray, lanes, best.t);
+    for (const SphereGroup* group : {&scene_.spheres.opaque, &scene_.spheres.glass}) {
+      for_each_reached(beam, group->begin, group->loop_end, [&](std::size_t i) RAYLAB_ATTRIBUTE {
+        meet_sphere(ray, lanes, i, best);
+        return true;
+      });
+      if (group->hierarchy) search_nearest(ray, lanes, beam, *group, best);
+    }
   }
 
   /// The place in Spheres of each lane's sphere; 0 in the lanes that have none.
@@ -334,15 +436,18 @@ class Tracer {
 
   // ---- Many spheres -------------------------------------------------------------------------------------------------
 
-  void search_nearest(const Ray<V>& ray, Mask lanes, const SphereGroup& group, Nearest<V>& best) {
-    const Bundle bundle(ray, lanes);
-    if (bundle.coherent()) {
-      const auto limit = [&] { return as_limit(greatest_lane(select(lanes, best.t, V(-1)))); };
-      search(*group.hierarchy, Probe(*group.hierarchy, bundle.bounds()), limit(), [&](std::size_t begin, std::size_t count) {
-        for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; ++i) meet_sphere(ray, lanes, i, best);
-        return limit();
+  void search_nearest(const Ray<V>& ray, Mask lanes, const Beam& beam, const SphereGroup& group, Nearest<V>& best) const {
+    if (count(lanes) >= least_together && beam.growth < widest_together) {
+      const auto limit = [&]() RAYLAB_ATTRIBUTE { return as_limit(greatest_lane(select(lanes, best.t, V(-1)))); };
+      int leaves = most_leaves_together;
+      search(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(), [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
+        for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, [&](std::size_t i) RAYLAB_ATTRIBUTE {
+          meet_sphere(ray, lanes, i, best);
+          return true;
+        });
+        return --leaves > 0 ? limit() : -1.0f;
       });
-      return;
+      if (leaves > 0) return;
     }
     Single single(ray);
     std::array<T, Lanes<V>::count> t;
@@ -361,11 +466,6 @@ class Tracer {
   struct Alone {
     Point<T> origin, direction;
     Whole leaves;
-
-    typename Probe::Bounds bounds() const {
-      const std::array<double, 3> o = {origin.x, origin.y, origin.z}, d = {direction.x, direction.y, direction.z};
-      return {o, o, d, d};
-    }
   };
 
   /// Takes rays out of their lanes.
@@ -398,15 +498,14 @@ class Tracer {
     const Vec3<V> c = {load<V>(&spheres.center.x[i]), load<V>(&spheres.center.y[i]), load<V>(&spheres.center.z[i])};
     const Vec3<V> o = spread<V>(ray.origin);
     const Passing<V> passing = pass(o, spread<V>(ray.direction), c);
-    const Mask close = passing.apart <= load<V>(&spheres.reach[i]);
-    if (none(close)) return {close, V(0), V(0), close};
-    const Mask asked = close & !(lane_numbers<V>() + place_of(i) == Index(ray.leaves));
+    const Mask asked = (passing.apart <= load<V>(&spheres.reach[i])) & !(lane_numbers<V>() + place_of(i) == Index(ray.leaves));
+    if (none(asked)) return {asked, V(0), V(0), asked};
     const V radius = load<V>(&spheres.radius[i]);
     return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(o, c, radius); });
   }
 
   void search_nearest_alone(const Alone& ray, const SphereGroup& group, T& t, Whole& place) const {
-    search(*group.hierarchy, Probe(*group.hierarchy, ray.bounds()), as_limit(t), [&](std::size_t begin, std::size_t count) {
+    search(*group.hierarchy, Probe(*group.hierarchy, ray.origin, ray.direction, 0), as_limit(t), [&](std::size_t begin, std::size_t count) {
       for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<V>::count) {
         const Meeting<V> meeting = meet_spheres(ray, i);
         if (none(meeting.met)) continue;
@@ -425,36 +524,6 @@ class Tracer {
       return as_limit(t);
     });
   }
-
-  /// Rays that are searched together: the bounds of all that a mask selects.
-  class Bundle {
-   public:
-    Bundle(const Ray<V>& ray, Mask lanes) : rays_(std::popcount(bits(lanes))) {
-      if (rays_ < least_rays) return;
-      const auto bound = [&](std::size_t axis, V origin, V direction) {
-        const V all(std::numeric_limits<T>::infinity());
-        bounds_.low_origin[axis] = least_lane(select(lanes, origin, all));
-        bounds_.high_origin[axis] = greatest_lane(select(lanes, origin, -all));
-        bounds_.low_direction[axis] = least_lane(select(lanes, direction, all));
-        bounds_.high_direction[axis] = greatest_lane(select(lanes, direction, -all));
-        spread_ = std::max(spread_, bounds_.high_direction[axis] - bounds_.low_direction[axis]);
-      };
-      bound(0, ray.origin.x, ray.direction.x);
-      bound(1, ray.origin.y, ray.direction.y);
-      bound(2, ray.origin.z, ray.direction.z);
-    }
-
-    bool coherent() const { return rays_ >= least_rays && spread_ < largest_spread; }
-    const Probe::Bounds& bounds() const { return bounds_; }
-
-   private:
-    static constexpr int least_rays = 3;
-    static constexpr double largest_spread = 0.25;
-
-    int rays_;
-    double spread_ = 0;
-    Probe::Bounds bounds_{};
-  };
 
   /// The point and the normal that the rays of `met` have reached.
   Hit<V> hit_at(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask met) const {
@@ -507,19 +576,6 @@ class Tracer {
     const Sides& sides;
   };
 
-  /// The segment from `origin` along `direction`, the same in every lane, and what is within `radius` of it.
-  struct Beam {
-    Vec3<V> origin, direction;
-    V radius, length;
-  };
-
-  /// A ball around points: within `radius` of the one in lane `first`.
-  struct Area {
-    std::size_t first;
-    Vec3<V> middle;
-    V radius;
-  };
-
   /// All the light that surfaces send back against `d`, but for their colors.
   V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit) {
     V sum(scene_.ambient);
@@ -568,21 +624,6 @@ class Tracer {
     return in;
   }
 
-  Area area_of(const Vec3<V>& points, Mask lanes) const {
-    Area area;
-    area.first = static_cast<std::size_t>(std::countr_zero(bits(lanes)));
-    area.middle = {lane(points.x, area.first), lane(points.y, area.first), lane(points.z, area.first)};
-    const Vec3<V> apart = points - area.middle;
-    area.radius = square_root(V(greatest_lane(select(lanes, dot(apart, apart), V(0)))));
-    return area;
-  }
-
-  static V lane(V a, std::size_t i) {
-    std::array<T, Lanes<V>::count> numbers;
-    store(a, numbers.data());
-    return V(numbers[i]);
-  }
-
   /// Those of `asked` that nothing opaque hides from the light.
   RAYLAB_INLINE Mask unblocked(const Hit<V>& hit, const Area& area, const Seen& light, Mask asked) {
     add(asked, counts_.shadow);
@@ -590,30 +631,13 @@ class Tracer {
     const SphereGroup& opaque = scene_.spheres.opaque;
     const Mask inside = open & hit.inside & (hit.place < place_of(scene_.spheres.glass.begin));
     if (any(inside)) open = open & !(inside & far_side_blocks(hit, light, inside));
-    const Beam beam = {area.middle,
-                       {lane(light.l.x, area.first), lane(light.l.y, area.first), lane(light.l.z, area.first)},
-                       area.radius,
-                       lane(light.distance, area.first)};
-    for (std::size_t i = opaque.begin; i < opaque.loop_end; i += Lanes<V>::count)
-      for (std::uint32_t near = reached(beam, i, opaque.loop_end); near != 0 && any(open); near &= near - 1)
-        open = open & !blocked_by(hit, light, open, i + static_cast<std::size_t>(std::countr_zero(near)));
-    if (opaque.hierarchy && any(open)) open = search_unblocked(hit, light, open);
+    const Beam beam = {area.middle, lane(light.l, area.first), area.radius, 0, lane(light.distance, area.first)};
+    for_each_reached(beam, opaque.begin, opaque.loop_end, [&](std::size_t i) RAYLAB_ATTRIBUTE {
+      open = open & !blocked_by(hit, light, open, i);
+      return any(open);
+    });
+    if (opaque.hierarchy && any(open)) open = search_unblocked(hit, light, beam, open);
     return open;
-  }
-
-  /// Bit k: is sphere begin + k, before `end`, within `radius` of the segment? All that shadow rays to one light can meet is:
-  /// they start in a ball and end in a point, or run in parallel.
-  std::uint32_t reached(const Beam& beam, std::size_t begin, std::size_t end) const {
-    constexpr T rounding = 64 * std::numeric_limits<T>::epsilon();
-    const Spheres<T>& spheres = scene_.spheres;
-    const Vec3<V> f = Vec3<V>{load<V>(&spheres.center.x[begin]), load<V>(&spheres.center.y[begin]),
-                              load<V>(&spheres.center.z[begin])} - beam.origin;
-    const V along = least(greatest(dot(f, beam.direction), V(0)), beam.length);
-    const Vec3<V> apart = f - along * beam.direction;
-    const V radius = V(T(1.001)) * (load<V>(&spheres.radius[begin]) + beam.radius) + V(rounding) * along;
-    const std::size_t left = end - begin;
-    const std::uint32_t there = left >= 32 ? ~0u : (1u << left) - 1;
-    return bits(!(dot(apart, apart) > radius * radius)) & there;
   }
 
   Mask not_behind_planes(const Hit<V>& hit, const Sides& sides, Mask asked) const {
@@ -638,18 +662,20 @@ class Tracer {
     return meeting.met & (meeting.t < light.distance);
   }
 
-  Mask search_unblocked(const Hit<V>& hit, const Seen& light, Mask open) const {
+  Mask search_unblocked(const Hit<V>& hit, const Seen& light, const Beam& beam, Mask open) const {
     const SphereGroup& group = scene_.spheres.opaque;
     const Ray<V> shadow = {hit.point, light.l, hit.place, hit.inside};
-    const Bundle bundle(shadow, open);
-    if (bundle.coherent()) {
+    if (count(open) >= least_together) {
       const float limit = as_limit(greatest_lane(select(open, light.distance, V(-1))));
-      search(*group.hierarchy, Probe(*group.hierarchy, bundle.bounds()), limit, [&](std::size_t begin, std::size_t count) {
-        for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; ++i)
+      int leaves = most_leaves_together;
+      search(*group.hierarchy, probe_for(beam, *group.hierarchy), limit, [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
+        for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, [&](std::size_t i) RAYLAB_ATTRIBUTE {
           open = open & !blocked_by(hit, light, open, i);
-        return any(open) ? limit : -1.0f;
+          return any(open);
+        });
+        return --leaves > 0 && any(open) ? limit : -1.0f;
       });
-      return open;
+      if (leaves > 0 || none(open)) return open;
     }
     Single single(shadow);
     std::array<T, Lanes<V>::count> distances;
@@ -665,7 +691,7 @@ class Tracer {
   bool blocked_alone(const Alone& ray, T distance, const SphereGroup& group) const {
     bool blocked = false;
     const float limit = as_limit(distance);
-    search(*group.hierarchy, Probe(*group.hierarchy, ray.bounds()), limit, [&](std::size_t begin, std::size_t count) {
+    search(*group.hierarchy, Probe(*group.hierarchy, ray.origin, ray.direction, 0), limit, [&](std::size_t begin, std::size_t count) {
       for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count && !blocked; i += Lanes<V>::count) {
         const Meeting<V> meeting = meet_spheres(ray, i);
         blocked = any(meeting.met & (meeting.t < V(distance)));
