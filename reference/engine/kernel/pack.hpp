@@ -243,6 +243,14 @@ class Eight {
     for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Max(a.raw_[i], b.raw_[i]);
     return result;
   }
+  /// Number i of `yes` where that of `a` is at most that of `b`, else infinity.
+  friend HWY_INLINE Eight where_at_most(const Eight& a, const Eight& b, const Eight& yes) {
+    Eight result;
+    const auto no = hn::Set(PartTag(), std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < parts; ++i)
+      result.raw_[i] = hn::IfThenElse(hn::Le(a.raw_[i], b.raw_[i]), yes.raw_[i], no);
+    return result;
+  }
   /// Bit i: is number i of `a` at most that of `b`?
   friend HWY_INLINE std::uint32_t at_most(const Eight& a, const Eight& b) {
     std::uint32_t mask = 0;
@@ -261,5 +269,20 @@ class Eight {
 
   hn::Vec<PartTag> raw_[parts];
 };
+
+/// Bit j of number i of the result is bit i of number j.
+HWY_INLINE std::array<std::uint32_t, 8> transposed(const std::array<std::uint8_t, 16>& rows) {
+  const hn::Full128<std::uint8_t> tag;
+  const auto all = hn::LoadU(tag, rows.data());
+  std::array<std::uint32_t, 8> columns;
+  for (unsigned i = 0; i < 8; ++i) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(tag, hn::TestBit(all, hn::Set(tag, static_cast<std::uint8_t>(1u << i))), bytes);
+    std::uint16_t column;
+    std::memcpy(&column, bytes, sizeof column);
+    columns[i] = column;
+  }
+  return columns;
+}
 
 }  // namespace raylab::fast::RAYLAB_TARGET

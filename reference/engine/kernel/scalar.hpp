@@ -166,6 +166,13 @@ class Eight {
   friend Eight greater(const Eight& a, const Eight& b) {
     return each(a, b, [](float x, float y) { return x > y ? x : y; });
   }
+  /// Number i of `yes` where that of `a` is at most that of `b`, else infinity.
+  friend Eight where_at_most(const Eight& a, const Eight& b, const Eight& yes) {
+    Eight result;
+    for (std::size_t i = 0; i < 8; ++i)
+      result.numbers_[i] = a.numbers_[i] <= b.numbers_[i] ? yes.numbers_[i] : std::numeric_limits<float>::infinity();
+    return result;
+  }
   /// Bit i: is number i of `a` at most that of `b`?
   friend std::uint32_t at_most(const Eight& a, const Eight& b) {
     std::uint32_t mask = 0;
@@ -183,6 +190,13 @@ class Eight {
 
   std::array<float, 8> numbers_;
 };
+
+/// Bit j of number i of the result is bit i of number j, where only number 0 has any.
+inline std::array<std::uint32_t, 8> transposed(const std::array<std::uint8_t, 16>& rows) {
+  std::array<std::uint32_t, 8> columns;
+  for (unsigned i = 0; i < 8; ++i) columns[i] = (rows[0] >> i) & 1u;
+  return columns;
+}
 #endif
 
 }  // namespace raylab::fast::RAYLAB_TARGET

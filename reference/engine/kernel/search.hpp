@@ -9,6 +9,8 @@ namespace raylab::fast::RAYLAB_TARGET {
 /// picture is the same, to the bit, with the hierarchy and without it.
 class Probe {
  public:
+  Probe() = default;
+
   template <class T>
   Probe(const Hierarchy& hierarchy, const Point<T>& origin, const Point<T>& direction, double radius) {
     constexpr float rounding = 0x1p-18f;
@@ -30,8 +32,9 @@ class Probe {
     }
   }
 
-  /// Bit i: may there be something in the box of child i, at up to `limit`? `near` gets the distances of the boxes.
-  std::uint32_t boxes_met(const Hierarchy::Node& node, float limit, std::array<float, 8>& near) const {
+  /// Bit i: may there be something in the box of child i, at up to `limit`? `near` becomes the distance of that box, if it was
+  /// further.
+  RAYLAB_INLINE std::uint32_t boxes_met(const Hierarchy::Node& node, float limit, Eight& near) const {
     Eight from(0.0f), to(limit);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Axis& a = axes_[axis];
@@ -40,7 +43,7 @@ class Probe {
       from = greater(from, multiply_subtract(entry, a.inverse, a.entry_start));
       to = lesser(to, multiply_subtract(exit, a.inverse, a.exit_start));
     }
-    from.store(near);
+    near = lesser(near, where_at_most(from, to, from));
     return at_most(from, to);
   }
 
@@ -53,40 +56,99 @@ class Probe {
   std::array<Axis, 3> axes_;
 };
 
-/// Calls leaf(begin, count), near ones first, for each leaf in whose box there may be something at up to the distance that
-/// the last call returned; at first `limit`. Ends when that is below 0.
+/// Bit i: is limits[i] at least `distance`?
+inline std::uint32_t reaching(float distance, const std::array<float, 16>& limits) {
+  std::array<float, 8> low, high;
+  std::copy_n(limits.begin(), 8, low.begin());
+  std::copy_n(limits.begin() + 8, 8, high.begin());
+  return at_most(Eight(distance), Eight::load(low)) | at_most(Eight(distance), Eight::load(high)) << 8;
+}
+
+/// What waits in a search: a node or a leaf, how far it is at least, and the rays, by lane, that may meet something there.
+struct Waiting {
+  float near;
+  std::uint32_t lanes;
+  Hierarchy::Child child;
+};
+
+/// The nearest one is at the top, but for those that were put below it earlier.
+class Stack {
+ public:
+  bool empty() const { return size_ == 0; }
+  const Waiting& pop() { return waiting_[--size_]; }
+
+  void push(const Hierarchy::Node& node, const Eight& distances, const std::array<std::uint32_t, 8>& lanes, std::uint32_t met) {
+    std::array<float, 8> near;
+    distances.store(near);
+    for (const std::size_t first = size_; met != 0; met &= met - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(met));
+      std::size_t at = size_++;
+      for (; at > first && waiting_[at - 1].near < near[i]; --at) waiting_[at] = waiting_[at - 1];
+      waiting_[at] = {near[i], lanes[i], node.child[i]};
+    }
+  }
+
+ private:
+  std::array<Waiting, Hierarchy::deepest*(Hierarchy::width - 1) + Hierarchy::width> waiting_;
+  std::size_t size_ = 0;
+};
+
+/// For a beam. Calls leaf(begin, count), near ones first, for each leaf in whose box there may be something at up to the
+/// distance that the last call returned; at first `limit`. Ends when that is below 0.
 template <class Leaf>
-void search(const Hierarchy& hierarchy, const Probe& probe, float limit, Leaf leaf) {
-  struct Waiting {
-    float near;
-    Hierarchy::Child child;
-  };
-  std::array<Waiting, Hierarchy::deepest * (Hierarchy::width - 1) + Hierarchy::width> stack;
-  std::size_t size = 0;
+void search_together(const Hierarchy& hierarchy, const Probe& probe, float limit, Leaf leaf) {
+  constexpr std::array<std::uint32_t, 8> lanes{};
+  Stack stack;
   Hierarchy::Child next = Hierarchy::Child::node(0);
   while (limit >= 0) {
     if (next.is_leaf())
       limit = leaf(next.begin(), next.count());
     else {
       const Hierarchy::Node& node = hierarchy.nodes()[next.number()];
-      std::array<float, 8> near;
-      std::uint32_t met = probe.boxes_met(node, limit, near);
-      if (std::has_single_bit(met)) {
-        next = node.child[static_cast<std::size_t>(std::countr_zero(met))];
-        continue;
+      Eight near(std::numeric_limits<float>::infinity());
+      const std::uint32_t met = probe.boxes_met(node, limit, near);
+      stack.push(node, near, lanes, met);
+    }
+    float distance;
+    do {
+      if (stack.empty()) return;
+      const Waiting& top = stack.pop();
+      distance = top.near;
+      next = top.child;
+    } while (distance > limit && limit >= 0);
+  }
+}
+
+/// For many rays that go different ways: each node is tested for one after the other, which keeps the machine busy where
+/// the way of a single ray would be one long wait. Calls leaf(begin, count, lane) for each leaf in whose box the ray of `lane`
+/// may meet something at up to limits[lane], which that call may lower; below 0 the ray is done.
+template <std::size_t most_lanes, class Leaf>
+void search_each(const Hierarchy& hierarchy, const std::array<Probe, most_lanes>& probes, std::uint32_t lanes,
+                 std::array<float, 16>& limits, Leaf leaf) {
+  Stack stack;
+  Waiting next = {0, lanes, Hierarchy::Child::node(0)};
+  for (;;) {
+    if (next.child.is_leaf()) {
+      for (std::uint32_t rest = next.lanes; rest != 0; rest &= rest - 1)
+        leaf(next.child.begin(), next.child.count(), static_cast<std::size_t>(std::countr_zero(rest)));
+    } else {
+      const Hierarchy::Node& node = hierarchy.nodes()[next.child.number()];
+      Eight near(std::numeric_limits<float>::infinity());
+      std::array<std::uint8_t, 16> boxes{};
+      std::uint32_t met = 0;
+      for (std::uint32_t rest = next.lanes; rest != 0; rest &= rest - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+        const std::uint32_t here = probes[lane].boxes_met(node, limits[lane], near);
+        boxes[lane] = static_cast<std::uint8_t>(here);
+        met |= here;
       }
-      for (const std::size_t first = size; met != 0; met &= met - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(met));
-        std::size_t at = size++;
-        for (; at > first && stack[at - 1].near < near[i]; --at) stack[at] = stack[at - 1];
-        stack[at] = {near[i], node.child[i]};
-      }
+      if (met != 0) stack.push(node, near, transposed(boxes), met);
     }
     do {
-      if (size == 0) return;
-      --size;
-    } while (stack[size].near > limit && limit >= 0);
-    next = stack[size].child;
+      if (stack.empty()) return;
+      next = stack.pop();
+      next.lanes &= reaching(next.near, limits);
+    } while (next.lanes == 0);
   }
 }
 

@@ -436,32 +436,6 @@ class Tracer {
 
   // ---- Many spheres -------------------------------------------------------------------------------------------------
 
-  void search_nearest(const Ray<V>& ray, Mask lanes, const Beam& beam, const SphereGroup& group, Nearest<V>& best) const {
-    if (count(lanes) >= least_together && beam.growth < widest_together) {
-      const auto limit = [&]() RAYLAB_ATTRIBUTE { return as_limit(greatest_lane(select(lanes, best.t, V(-1)))); };
-      int leaves = most_leaves_together;
-      search(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(), [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
-        for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, [&](std::size_t i) RAYLAB_ATTRIBUTE {
-          meet_sphere(ray, lanes, i, best);
-          return true;
-        });
-        return --leaves > 0 ? limit() : -1.0f;
-      });
-      if (leaves > 0) return;
-    }
-    Single single(ray);
-    std::array<T, Lanes<V>::count> t;
-    std::array<Whole, Lanes<V>::count> places;
-    store(best.t, t.data());
-    store(best.place, places.data());
-    for (std::uint32_t rest = bits(lanes); rest != 0; rest &= rest - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-      search_nearest_alone(single.ray(lane), group, t[lane], places[lane]);
-    }
-    best.t = load<V>(t.data());
-    best.place = load_index<V>(places.data());
-  }
-
   /// One lane's ray.
   struct Alone {
     Point<T> origin, direction;
@@ -469,9 +443,9 @@ class Tracer {
   };
 
   /// Takes rays out of their lanes.
-  class Single {
+  class Singles {
    public:
-    explicit Single(const Ray<V>& ray) {
+    explicit Singles(const Ray<V>& ray) {
       store(ray.origin.x, numbers_[0].data());
       store(ray.origin.y, numbers_[1].data());
       store(ray.origin.z, numbers_[2].data());
@@ -492,6 +466,52 @@ class Tracer {
     std::array<Whole, Lanes<V>::count> leaves_;
   };
 
+  void search_nearest(const Ray<V>& ray, Mask lanes, const Beam& beam, const SphereGroup& group, Nearest<V>& best) const {
+    if (count(lanes) >= least_together && beam.growth < widest_together) {
+      const auto limit = [&]() RAYLAB_ATTRIBUTE { return as_limit(greatest_lane(select(lanes, best.t, V(-1)))); };
+      int leaves = most_leaves_together;
+      search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(), [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
+        for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, [&](std::size_t i) RAYLAB_ATTRIBUTE {
+          meet_sphere(ray, lanes, i, best);
+          return true;
+        });
+        return --leaves > 0 ? limit() : -1.0f;
+      });
+      if (leaves > 0) return;
+    }
+    search_nearest_each(ray, lanes, group, best);
+  }
+
+  void search_nearest_each(const Ray<V>& ray, Mask lanes, const SphereGroup& group, Nearest<V>& best) const {
+    const Singles rays(ray);
+    std::array<T, Lanes<V>::count> t;
+    std::array<Whole, Lanes<V>::count> places;
+    store(best.t, t.data());
+    store(best.place, places.data());
+    std::array<float, 16> limits;
+    const std::array<Probe, Lanes<V>::count> probes = probes_for(rays, bits(lanes), *group.hierarchy, t, limits);
+    search_each(*group.hierarchy, probes, bits(lanes), limits, [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
+      for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<V>::count)
+        if (nearer_of_spheres(rays.ray(lane), i, t[lane], places[lane])) limits[lane] = as_limit(t[lane]);
+    });
+    best.t = load<V>(t.data());
+    best.place = load_index<V>(places.data());
+  }
+
+  static std::array<Probe, Lanes<V>::count> probes_for(const Singles& rays, std::uint32_t lanes, const Hierarchy& hierarchy,
+                                                       const std::array<T, Lanes<V>::count>& lengths,
+                                                       std::array<float, 16>& limits) {
+    std::array<Probe, Lanes<V>::count> probes;
+    limits.fill(-1);
+    for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+      const Alone ray = rays.ray(lane);
+      probes[lane] = Probe(hierarchy, ray.origin, ray.direction, 0);
+      limits[lane] = as_limit(lengths[lane]);
+    }
+    return probes;
+  }
+
   /// As many of a leaf's spheres as there are lanes, from place i on. What stands behind the leaf is asked too: it does no harm.
   Meeting<V> meet_spheres(const Alone& ray, std::size_t i) const {
     const Spheres<T>& spheres = scene_.spheres;
@@ -504,25 +524,24 @@ class Tracer {
     return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(o, c, radius); });
   }
 
-  void search_nearest_alone(const Alone& ray, const SphereGroup& group, T& t, Whole& place) const {
-    search(*group.hierarchy, Probe(*group.hierarchy, ray.origin, ray.direction, 0), as_limit(t), [&](std::size_t begin, std::size_t count) {
-      for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<V>::count) {
-        const Meeting<V> meeting = meet_spheres(ray, i);
-        if (none(meeting.met)) continue;
-        std::array<T, Lanes<V>::count> distances;
-        store(meeting.t, distances.data());
-        for (std::uint32_t rest = bits(meeting.met); rest != 0; rest &= rest - 1) {
-          const int lane = std::countr_zero(rest);
-          const T here = distances[static_cast<std::size_t>(lane)];
-          const Whole candidate = plane_count_ + static_cast<Whole>(i) + lane;
-          if (here < t || (here == t && id_of(candidate) < id_of(place))) {
-            t = here;
-            place = candidate;
-          }
-        }
+  /// Does the ray meet one of the spheres from place i on before `t`? Then that becomes the nearest one's distance, and
+  /// `place` its place.
+  bool nearer_of_spheres(const Alone& ray, std::size_t i, T& t, Whole& place) const {
+    const Meeting<V> meeting = meet_spheres(ray, i);
+    if (none(meeting.met)) return false;
+    std::array<T, Lanes<V>::count> distances;
+    store(meeting.t, distances.data());
+    const T before = t;
+    for (std::uint32_t rest = bits(meeting.met); rest != 0; rest &= rest - 1) {
+      const int lane = std::countr_zero(rest);
+      const T here = distances[static_cast<std::size_t>(lane)];
+      const Whole candidate = plane_count_ + static_cast<Whole>(i) + lane;
+      if (here < t || (here == t && id_of(candidate) < id_of(place))) {
+        t = here;
+        place = candidate;
       }
-      return as_limit(t);
-    });
+    }
+    return t < before;
   }
 
   /// The point and the normal that the rays of `met` have reached.
@@ -668,7 +687,7 @@ class Tracer {
     if (count(open) >= least_together) {
       const float limit = as_limit(greatest_lane(select(open, light.distance, V(-1))));
       int leaves = most_leaves_together;
-      search(*group.hierarchy, probe_for(beam, *group.hierarchy), limit, [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
+      search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit, [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
         for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, [&](std::size_t i) RAYLAB_ATTRIBUTE {
           open = open & !blocked_by(hit, light, open, i);
           return any(open);
@@ -677,28 +696,27 @@ class Tracer {
       });
       if (leaves > 0 || none(open)) return open;
     }
-    Single single(shadow);
-    std::array<T, Lanes<V>::count> distances;
-    store(light.distance, distances.data());
-    std::uint32_t unblocked = 0;
-    for (std::uint32_t rest = bits(open); rest != 0; rest &= rest - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-      if (!blocked_alone(single.ray(lane), distances[lane], group)) unblocked |= 1u << lane;
-    }
-    return mask_of<V>(unblocked);
+    return search_unblocked_each(shadow, light.distance, open);
   }
 
-  bool blocked_alone(const Alone& ray, T distance, const SphereGroup& group) const {
-    bool blocked = false;
-    const float limit = as_limit(distance);
-    search(*group.hierarchy, Probe(*group.hierarchy, ray.origin, ray.direction, 0), limit, [&](std::size_t begin, std::size_t count) {
-      for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count && !blocked; i += Lanes<V>::count) {
-        const Meeting<V> meeting = meet_spheres(ray, i);
-        blocked = any(meeting.met & (meeting.t < V(distance)));
+  Mask search_unblocked_each(const Ray<V>& shadow, V distance, Mask open) const {
+    const SphereGroup& group = scene_.spheres.opaque;
+    const Singles rays(shadow);
+    std::array<T, Lanes<V>::count> distances;
+    store(distance, distances.data());
+    std::array<float, 16> limits;
+    const std::array<Probe, Lanes<V>::count> probes = probes_for(rays, bits(open), *group.hierarchy, distances, limits);
+    std::uint32_t blocked = 0;
+    search_each(*group.hierarchy, probes, bits(open), limits, [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
+      for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<V>::count) {
+        const Meeting<V> meeting = meet_spheres(rays.ray(lane), i);
+        if (none(meeting.met & (meeting.t < V(distances[lane])))) continue;
+        blocked |= 1u << lane;
+        limits[lane] = -1;
+        return;
       }
-      return blocked ? -1.0f : limit;
     });
-    return blocked;
+    return open & !mask_of<V>(blocked);
   }
 
   /// Light beyond the largest number is infinite, but black stays black.
