@@ -45,10 +45,10 @@ class Hierarchy {
     std::uint32_t word_;
   };
 
-  /// By axis, then by child. The box of a child that is not there runs from infinity to minus infinity.
+  /// Six planes around each child: plane `axis` is where its box begins, plane 3 + axis where it ends. The box of a child
+  /// that is not there begins at infinity and ends at minus infinity.
   struct alignas(32) Node {
-    std::array<std::array<float, width>, 3> low;
-    std::array<std::array<float, width>, 3> high;
+    std::array<std::array<float, width>, 6> planes;
     std::array<Child, width> child;
   };
 

@@ -23,12 +23,14 @@ class Probe {
     const float wider = static_cast<float>(radius) * (1 + rounding) + rounding * farthest;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       Axis& a = axes_[axis];
-      a.negative = along[axis] < 0;
+      const bool negative = along[axis] < 0;
+      a.entry = negative ? 3 + axis : axis;
+      a.exit = negative ? axis : 3 + axis;
       // A component of 0, which has no reciprocal, is as good as 1e-18.
-      const float inverse = (a.negative ? -1 : 1) / std::max(std::abs(along[axis]), 1e-18f);
+      const float inverse = (negative ? -1 : 1) / std::max(std::abs(along[axis]), 1e-18f);
       a.inverse = Eight(inverse);
-      a.entry_start = Eight((a.negative ? from[axis] - wider : from[axis] + wider) * inverse);
-      a.exit_start = Eight((a.negative ? from[axis] + wider : from[axis] - wider) * inverse);
+      a.entry_start = Eight((negative ? from[axis] - wider : from[axis] + wider) * inverse);
+      a.exit_start = Eight((negative ? from[axis] + wider : from[axis] - wider) * inverse);
     }
   }
 
@@ -36,12 +38,9 @@ class Probe {
   /// further.
   RAYLAB_INLINE std::uint32_t boxes_met(const Hierarchy::Node& node, float limit, Eight& near) const {
     Eight from(0.0f), to(limit);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Axis& a = axes_[axis];
-      const Eight entry = Eight::load(a.negative ? node.high[axis] : node.low[axis]);
-      const Eight exit = Eight::load(a.negative ? node.low[axis] : node.high[axis]);
-      from = greater(from, multiply_subtract(entry, a.inverse, a.entry_start));
-      to = lesser(to, multiply_subtract(exit, a.inverse, a.exit_start));
+    for (const Axis& a : axes_) {
+      from = greater(from, multiply_subtract(Eight::load(node.planes[a.entry]), a.inverse, a.entry_start));
+      to = lesser(to, multiply_subtract(Eight::load(node.planes[a.exit]), a.inverse, a.exit_start));
     }
     near = lesser(near, where_at_most(from, to, from));
     return at_most(from, to);
@@ -50,7 +49,7 @@ class Probe {
  private:
   struct Axis {
     Eight inverse, entry_start, exit_start;
-    bool negative;
+    std::size_t entry, exit;  ///< the planes that the ray crosses first and last
   };
 
   std::array<Axis, 3> axes_;
