@@ -25,5 +25,6 @@ void add_stages(CLI::App& app);
 void add_test(CLI::App& app);
 void add_diff(CLI::App& app);
 void add_reference(CLI::App& app);
+void add_doctor(CLI::App& app);
 
 }  // namespace raylab::cli

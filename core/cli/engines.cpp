@@ -26,7 +26,8 @@ const std::map<std::string, AntiAliasing> patterns = {{"none", AntiAliasing::non
                                                       {"grid4", AntiAliasing::grid4},
                                                       {"rotated4", AntiAliasing::rotated4},
                                                       {"grid16", AntiAliasing::grid16},
-                                                      {"grid64", AntiAliasing::grid64}};
+                                                      {"grid64", AntiAliasing::grid64},
+                                                      {"adaptive", AntiAliasing::adaptive}};
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   add_diff(app);
   add_test(app);
   add_reference(app);
+  add_doctor(app);
 
   try {
     app.parse(argc, argv);

@@ -54,8 +54,10 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void write_stats(const Render& render, const Settings& settings, const Statistics& statistics, const RenderTotals& totals) {
-  const nlohmann::ordered_json json = {{"scene", render.scene},
+void write_stats(const Render& render, const Settings& settings, const EngineFacts& facts, const Statistics& statistics,
+                 const RenderTotals& totals) {
+  const double pixels = static_cast<double>(settings.size.width) * settings.size.height;
+  nlohmann::ordered_json json = {{"scene", render.scene},
                                        {"stage", stage_info(settings.stage).name},
                                        {"engine", render.options.engine},
                                        {"precision", precision_of(render.options)},
@@ -65,6 +67,8 @@ void write_stats(const Render& render, const Settings& settings, const Statistic
                                        {"load_seconds", statistics.load_seconds},
                                        {"build_seconds", statistics.build_seconds},
                                        {"render_seconds", statistics.render_seconds},
+                                       {"trace_seconds", totals.trace_seconds},
+                                       {"megapixels_per_trace_second", pixels / 1e6 / totals.trace_seconds},
                                        {"samples", totals.rays.primary},
                                        {"rays",
                                         {{"primary", totals.rays.primary},
@@ -73,6 +77,10 @@ void write_stats(const Render& render, const Settings& settings, const Statistic
                                          {"refracted", totals.rays.refracted}}},
                                        {"non_finite_pixels", totals.non_finite_pixels},
                                        {"peak_memory_bytes", statistics.peak_memory}};
+  if (!facts.simd.empty()) {
+    json["simd"] = facts.simd;
+    json["hierarchy"] = {{"spheres", facts.hierarchy_spheres}, {"seconds", facts.hierarchy_seconds}, {"bytes", facts.hierarchy_bytes}};
+  }
   write_file(render.stats, [&](std::ostream& stream) { stream << json.dump(2) << '\n'; });
 }
 
@@ -131,7 +139,7 @@ void run(Render& render) {
   if (preview) std::cout << preview->half_blocks();
   std::cout << output.string() << "  " << width << "x" << height << ", " << std::fixed << std::setprecision(2)
             << statistics.render_seconds << " s\n";
-  if (!render.stats.empty()) write_stats(render, settings, statistics, totals);
+  if (!render.stats.empty()) write_stats(render, settings, engine->facts(), statistics, totals);
   if (render.show) open_viewer(output);
 }
 

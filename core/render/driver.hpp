@@ -40,7 +40,10 @@ class Driver {
   /// The final color of the pixel in column i from the left and row j from the top.
   Color pixel(int i, int j) {
     samples_.clear();
-    for (const SampleOffset& offset : offsets_) samples_.push_back(sample(i, j, offset));
+    for (const SampleOffset& offset : offsets_) {
+      if (settings_.aa == AntiAliasing::adaptive && samples_.size() == deciding_samples && samples_agree(samples_)) break;
+      samples_.push_back(sample(i, j, offset));
+    }
     return has(ssaa) ? table_.resolve(samples_) : mean_of_samples();
   }
 

@@ -1,5 +1,7 @@
 #include "core/render/engine.hpp"
 
+#include <algorithm>
+
 namespace raylab {
 namespace {
 
@@ -8,6 +10,16 @@ std::vector<SampleOffset> grid(int n) {
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) offsets.push_back({(column + 0.5) / n - 0.5, 0.5 - (row + 0.5) / n});
   return offsets;
+}
+
+/// The samples of a 4 x 4 grid, those of the rotated grid before the others.
+std::vector<SampleOffset> rotated_first(std::vector<SampleOffset> samples) {
+  const std::vector<SampleOffset> rotated = sample_offsets(AntiAliasing::rotated4);
+  const auto is_rotated = [&](const SampleOffset& a) {
+    return std::any_of(rotated.begin(), rotated.end(), [&](const SampleOffset& b) { return a.dx == b.dx && a.dy == b.dy; });
+  };
+  std::stable_partition(samples.begin(), samples.end(), is_rotated);
+  return samples;
 }
 
 }  // namespace
@@ -24,8 +36,22 @@ std::vector<SampleOffset> sample_offsets(AntiAliasing pattern) {
       return grid(4);
     case AntiAliasing::grid64:
       return grid(8);
+    case AntiAliasing::adaptive:
+      return rotated_first(grid(4));
   }
   return {};
+}
+
+bool samples_agree(std::span<const Color> samples) {
+  Color least(1), greatest(0);
+  for (const Color& sample : samples) {
+    const Color seen = clamp(sample, 0.0, 1.0);
+    if (!is_finite(seen)) return false;
+    least = min(least, seen);
+    greatest = max(greatest, seen);
+  }
+  const Color apart = greatest - least;
+  return std::max({apart.r, apart.g, apart.b}) <= agreeing_samples;
 }
 
 RayCounts& RayCounts::operator+=(const RayCounts& other) {

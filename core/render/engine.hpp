@@ -8,16 +8,27 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace raylab {
 
-/// Where in a pixel the samples lie.
-enum class AntiAliasing { none, grid4, rotated4, grid16, grid64 };
+/// Where in a pixel the samples lie. `adaptive`: the four of rotated4, and where these disagree the twelve others of grid16,
+/// which has those four too.
+enum class AntiAliasing { none, grid4, rotated4, grid16, grid64, adaptive };
 
 /// The sample places of a pattern, in pixels from the pixel's centre: one in the centre, the centres of n x n equal squares
-/// row by row from the top left, or the rotated grid of the handout's section 2.1.
+/// row by row from the top left, or the rotated grid of the handout's section 2.1. Of `adaptive`, all sixteen, the four that
+/// decide coming first.
 std::vector<SampleOffset> sample_offsets(AntiAliasing pattern);
+
+/// How many of adaptive's samples decide whether there will be more, and how far apart they may be in any component, clamped
+/// to 0..1, if they are to do: eight of the 255 steps of an image.
+inline constexpr std::size_t deciding_samples = 4;
+inline constexpr double agreeing_samples = 1. / 32;
+
+/// Do these samples of a pixel agree, so that adaptive takes no more?
+bool samples_agree(std::span<const Color> samples);
 
 /// What to compute of a scene.
 struct Settings {
@@ -37,6 +48,14 @@ struct RayCounts {
   RayCounts& operator+=(const RayCounts& other);
 };
 
+/// How an engine that takes pains to be fast works; without a name of an instruction set, it does not.
+struct EngineFacts {
+  std::string simd;
+  double hierarchy_seconds = 0;       ///< to build the hierarchies over many spheres
+  std::size_t hierarchy_spheres = 0;  ///< how many are in them
+  std::size_t hierarchy_bytes = 0;    ///< what they take, and the spheres' order, beside the spheres themselves
+};
+
 /// Thrown by an engine out of its work when it is asked to stop.
 struct Cancelled {};
 
@@ -54,6 +73,9 @@ class Engine {
 
   /// How many rows trace_rows() likes to be given at a time.
   virtual int rows_at_once() const { return 1; }
+
+  /// What a user may want to know of how it works.
+  virtual EngineFacts facts() const { return {}; }
 };
 
 }  // namespace raylab

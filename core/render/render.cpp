@@ -61,9 +61,9 @@ class Bands {
 
   double done() const { return static_cast<double>(rows_done_) / size_.height; }
 
-  RayCounts counts() {
+  RenderTotals totals() {
     const std::lock_guard lock(mutex_);
-    return counts_;
+    return totals_;
   }
 
  private:
@@ -105,6 +105,7 @@ class Bands {
     const auto width = static_cast<std::size_t>(size_.width);
     std::vector<Color> pixels(static_cast<std::size_t>(rows) * width);
     RayCounts counts;
+    const auto start = std::chrono::steady_clock::now();
     for (int row = 0; row < rows;) {
       const int some = std::min(engine_.rows_at_once(), rows - row);
       const auto at = static_cast<std::size_t>(row) * width, length = static_cast<std::size_t>(some) * width;
@@ -112,8 +113,10 @@ class Bands {
       rows_done_ += some;
       row += some;
     }
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     const std::lock_guard lock(mutex_);
-    counts_ += counts;
+    totals_.rays += counts;
+    totals_.trace_seconds += took.count();
     finished_.emplace(band, std::move(pixels));
     changed_.notify_all();
   }
@@ -130,7 +133,7 @@ class Bands {
   std::condition_variable changed_;
   std::map<int, std::vector<Color>> finished_;
   int taken_ = 0;
-  RayCounts counts_;
+  RenderTotals totals_;
   std::exception_ptr failure_;
   std::vector<std::thread> threads_;
 };
@@ -139,16 +142,17 @@ class Bands {
 
 RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, const RowSink& sink, const Progress& progress,
                     const std::atomic<bool>& cancel) {
-  RenderTotals totals;
+  std::uint64_t non_finite_pixels = 0;
   Bands bands(engine, size, std::max(1u, threads), cancel);
   for (int band = 0; band < bands.count(); ++band) {
     const std::vector<Color> pixels = bands.take(band, [&] { progress(bands.done()); });
-    totals.non_finite_pixels += static_cast<std::uint64_t>(
+    non_finite_pixels += static_cast<std::uint64_t>(
         std::count_if(pixels.begin(), pixels.end(), [](const Color& c) { return !std::isfinite(c.r + c.g + c.b); }));
     sink(band * band_rows, pixels);
     progress(bands.done());
   }
-  totals.rays = bands.counts();
+  RenderTotals totals = bands.totals();
+  totals.non_finite_pixels = non_finite_pixels;
   return totals;
 }
 

@@ -13,9 +13,13 @@ namespace {
 template <class T>
 class FastEngine : public Engine {
  public:
-  FastEngine(Prepared<T> scene, TraceRows<T> trace) : scene_(std::move(scene)), trace_(trace) {}
+  FastEngine(Prepared<T> scene, std::string_view simd, TraceRows<T> trace)
+      : scene_(std::move(scene)), facts_(scene_.facts), trace_(trace) {
+    facts_.simd = simd;
+  }
 
   int rows_at_once() const override { return 8; }
+  EngineFacts facts() const override { return facts_; }
 
   void trace_rows(int first_row, std::span<Color> pixels, RayCounts& counts,
                   const std::atomic<bool>& cancel) const override {
@@ -24,6 +28,7 @@ class FastEngine : public Engine {
 
  private:
   const Prepared<T> scene_;
+  EngineFacts facts_;
   const TraceRows<T> trace_;
 };
 
@@ -61,7 +66,8 @@ std::unique_ptr<Engine> make_fast(const Scene& scene, const Settings& settings, 
   const fast::Kernel kernel =
       fast::find_kernel(options.simd.empty() ? default_simd_target() : std::string_view(options.simd), "instruction set");
   const auto make = [&]<class T>(fast::TraceRows<T> trace) -> std::unique_ptr<Engine> {
-    return std::make_unique<fast::FastEngine<T>>(fast::prepare<T>(scene, settings, options.hierarchy, options.threads), trace);
+    auto prepared = fast::prepare<T>(scene, settings, options.hierarchy, std::max(1u, options.threads));
+    return std::make_unique<fast::FastEngine<T>>(std::move(prepared), kernel.simd, trace);
   };
   return options.precision == Precision::f32 ? make(kernel.trace_f32) : make(kernel.trace_f64);
 }

@@ -3,6 +3,7 @@
 #include "reference/engine/parallel.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -254,7 +255,14 @@ class Builder {
   }
 
   void add_group(const SphereList& list, bool hierarchy, SphereGroup& group) {
+    const auto start = std::chrono::steady_clock::now();
     GroupOrder order = order_of(list.spheres(), hierarchy, threads_);
+    if (order.hierarchy) {
+      EngineFacts& facts = out_.facts;
+      facts.hierarchy_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      facts.hierarchy_spheres += list.size() - order.looped;
+      facts.hierarchy_bytes += order.hierarchy->nodes().size() * sizeof(Hierarchy::Node) + list.size() * sizeof(GeometryId);
+    }
     Spheres<T>& spheres = out_.spheres;
     group.begin = spheres.radius.size();
     group.loop_end = group.begin + order.looped;
@@ -306,6 +314,7 @@ Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy
   Prepared<T> out;
   out.settings = settings;
   out.samples = sample_offsets(settings.aa.value_or(by_stage));
+  out.adaptive = settings.aa == AntiAliasing::adaptive;
   out.camera = prepare_camera<T>(scene.camera, settings.size);
   out.background = to<T>(scene.background);
   Builder<T> builder(out, scene, threads);

@@ -125,6 +125,7 @@ template <class T>
 struct Prepared {
   Settings settings;
   std::vector<SampleOffset> samples;
+  bool adaptive = false;  ///< only the deciding ones of the samples where these agree
   PreparedCamera<T> camera;
   Point<T> background;
   Planes<T> planes;
@@ -135,6 +136,7 @@ struct Prepared {
   std::vector<PreparedDirectionalLight<T>> directional_lights;
   T ambient{};  ///< all ambient lights together
   Features features;
+  EngineFacts facts;
 };
 
 /// `hierarchy` false: none, however many spheres there are. `threads` build it. Throws std::invalid_argument if T is float and

@@ -73,39 +73,51 @@ class Pixels {
   /// More bits only for the pixels that need them. Counts the rays of the last attempt.
   Color color(const Place& place, RayCounts& counts, const std::atomic<bool>& cancel) const {
     RayCounts counted;
-    const auto coarse = traced(coarse_, place, false, counted, cancel);
-    const auto fine = traced(fine_, place, false, counted, cancel);
+    const std::vector<SampleOffset> samples = samples_at(place, cancel);
+    const auto coarse = traced(coarse_, place, samples, false, counted, cancel);
+    const auto fine = traced(fine_, place, samples, false, counted, cancel);
     if (agree(coarse, fine)) {
       counts += counted;
       return rounded(fine);
     }
-    const auto finest = traced(finest_, place, false, counted, cancel);
+    const auto finest = traced(finest_, place, samples, false, counted, cancel);
     counts += counted;
     return agree(fine, finest) ? rounded(finest) : undecided;
   }
 
   PixelWord word(const Place& place, RayCounts& counts, const std::atomic<bool>& cancel) const {
     RayCounts counted;
-    std::optional<PixelWord> word = confirmed_word(coarse_, fine_, place, counted, cancel);
-    if (!word) word = confirmed_word(fine_, finest_, place, counted, cancel);
+    const std::vector<SampleOffset> samples = samples_at(place, cancel);
+    std::optional<PixelWord> word = confirmed_word(coarse_, fine_, place, samples, counted, cancel);
+    if (!word) word = confirmed_word(fine_, finest_, place, samples, counted, cancel);
     counts += counted;
     return word.value_or(PixelWord{{undecided, undecided, undecided}, {undecided, undecided, undecided}, 0, 0, no_geometry});
   }
 
  private:
+  /// Those of the pattern that this pixel needs.
+  std::vector<SampleOffset> samples_at(const Place& place, const std::atomic<bool>& cancel) const {
+    if (settings_.aa != AntiAliasing::adaptive) return samples_;
+    std::vector<SampleOffset> samples(samples_.begin(), samples_.begin() + deciding_samples);
+    std::vector<Color> colors;
+    RayCounts uncounted;
+    for (const SampleOffset& sample : samples) colors.push_back(rounded(traced(coarse_, place, {sample}, false, uncounted, cancel)));
+    return samples_agree(colors) ? samples : samples_;
+  }
+
   template <class T>
-  Vec3<T> traced(const World<T>& world, const Place& place, bool clamp_each, RayCounts& counted,
-                 const std::atomic<bool>& cancel) const {
+  Vec3<T> traced(const World<T>& world, const Place& place, const std::vector<SampleOffset>& samples, bool clamp_each,
+                 RayCounts& counted, const std::atomic<bool>& cancel) const {
     counted = {};
-    return Tracer<T>(world, counted, cancel, clamp_each).pixel(place.column, place.row, samples_);
+    return Tracer<T>(world, counted, cancel, clamp_each).pixel(place.column, place.row, samples);
   }
 
   /// The word at one precision, if a finer one gives the same colors.
   template <class T, class Finer>
   std::optional<PixelWord> confirmed_word(const World<T>& world, const World<Finer>& finer, const Place& place,
-                                          RayCounts& counted, const std::atomic<bool>& cancel) const {
-    const Testimony<T> seen = Witness<T>(world, cancel).pixel(place.column, place.row, samples_);
-    const auto together = traced(finer, place, false, counted, cancel);
+                                          const std::vector<SampleOffset>& samples, RayCounts& counted, const std::atomic<bool>& cancel) const {
+    const Testimony<T> seen = Witness<T>(world, cancel).pixel(place.column, place.row, samples);
+    const auto together = traced(finer, place, samples, false, counted, cancel);
     if (!agree(seen.color.value, together)) return {};
     PixelWord word;
     word.together = range(rounded(together), seen.color.value, seen.color.least, seen.color.greatest);
@@ -113,12 +125,12 @@ class Pixels {
       word.each = range(rounded(together), seen.color.each_value, seen.color.each_least, seen.color.each_greatest);
     } else {
       RayCounts uncounted;
-      const auto each = traced(finer, place, true, uncounted, cancel);
+      const auto each = traced(finer, place, samples, true, uncounted, cancel);
       if (!agree(seen.color.each_value, each)) return {};
       word.each = range(rounded(each), seen.color.each_value, seen.color.each_least, seen.color.each_greatest);
     }
     word.margin = seen.margin.template convert_to<double>();
-    word.sensitivity = sensitivity(world, place, seen.color.value, cancel);
+    word.sensitivity = sensitivity(world, place, samples, seen.color.value, cancel);
     word.object = seen.object;
     return word;
   }
@@ -130,13 +142,13 @@ class Pixels {
   }
 
   template <class T>
-  double sensitivity(const World<T>& world, const Place& place, const Vec3<T>& exact,
+  double sensitivity(const World<T>& world, const Place& place, const std::vector<SampleOffset>& samples, const Vec3<T>& exact,
                      const std::atomic<bool>& cancel) const {
     RayCounts uncounted;
     double most = 0;
     for (const auto alter : {round_to_nearest<T>, round_at_random<T, 1>, round_at_random<T, 2>}) {
       Tracer<T> tracer(world, uncounted, cancel, false, alter);
-      const Color moved = rounded(tracer.pixel(place.column, place.row, samples_) - exact);
+      const Color moved = rounded(tracer.pixel(place.column, place.row, samples) - exact);
       most = std::max({most, std::abs(moved.r), std::abs(moved.g), std::abs(moved.b)});
     }
     return most;

@@ -179,10 +179,71 @@ class Tracer {
 
   /// The mean of the samples of the pixels whose centres are at (x, y), not yet clamped.
   Vec3<V> pixel(V x, V y, Mask lanes) {
+    if (scene_.adaptive) return adaptive_pixel(x, y, lanes);
     Vec3<V> sum = zero();
-    for (const SampleOffset& sample : scene_.samples)
-      sum = sum + primary(x + V(static_cast<T>(sample.dx)), y + V(static_cast<T>(sample.dy)), lanes);
+    for (const SampleOffset& offset : scene_.samples) sum = sum + sample(x, y, offset, lanes);
     return V(T(1) / static_cast<T>(scene_.samples.size())) * sum;
+  }
+
+  Vec3<V> sample(V x, V y, const SampleOffset& offset, Mask lanes) {
+    return primary(x + V(static_cast<T>(offset.dx)), y + V(static_cast<T>(offset.dy)), lanes);
+  }
+
+  Vec3<V> adaptive_pixel(V x, V y, Mask lanes) {
+    Vec3<V> sum = zero(), least_seen = {V(1), V(1), V(1)}, greatest_seen = zero();
+    Mask agreed = lanes;
+    for (std::size_t k = 0; k < deciding_samples; ++k) {
+      const Vec3<V> color = sample(x, y, scene_.samples[k], lanes);
+      sum = sum + color;
+      const Vec3<V> seen = {clamped(color.x), clamped(color.y), clamped(color.z)};
+      least_seen = {least(least_seen.x, seen.x), least(least_seen.y, seen.y), least(least_seen.z, seen.z)};
+      greatest_seen = {greatest(greatest_seen.x, seen.x), greatest(greatest_seen.y, seen.y), greatest(greatest_seen.z, seen.z)};
+      agreed = agreed & (dot(seen, seen) >= V(0));  // and not NaN
+    }
+    const Vec3<V> apart = greatest_seen - least_seen;
+    const V limit(static_cast<T>(agreeing_samples));
+    agreed = agreed & (apart.x <= limit) & (apart.y <= limit) & (apart.z <= limit);
+    const Mask more = lanes & !agreed;
+    const Vec3<V> mean = V(T(1) / static_cast<T>(deciding_samples)) * sum;
+    if (none(more)) return mean;
+    const Vec3<V> refined = V(T(1) / static_cast<T>(scene_.samples.size())) * with_the_rest(x, y, more, sum);
+    return select(more, refined, mean);
+  }
+
+  /// Adds the samples that did not decide. Pixels that need them are few and far between, so that most lanes of a pack would
+  /// be idle: the samples are lined up in new packs instead, pixel by pixel.
+  Vec3<V> with_the_rest(V x, V y, Mask pixels, const Vec3<V>& sum) {
+    constexpr std::size_t rest = 12, lanes = Lanes<V>::count;
+    std::array<T, lanes> x_of, y_of;
+    store(x, x_of.data());
+    store(y, y_of.data());
+    std::array<T, (rest + 1) * lanes> xs{}, ys{};
+    std::size_t count = 0;
+    for (std::uint32_t left = bits(pixels); left != 0; left &= left - 1)
+      for (std::size_t k = deciding_samples; k < scene_.samples.size(); ++k, ++count) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        xs[count] = x_of[lane] + static_cast<T>(scene_.samples[k].dx);
+        ys[count] = y_of[lane] + static_cast<T>(scene_.samples[k].dy);
+      }
+    std::array<std::array<T, (rest + 1) * lanes>, 3> colors;
+    for (std::size_t i = 0; i < count; i += lanes) {
+      const std::uint32_t there = count - i >= lanes ? static_cast<std::uint32_t>((1ull << lanes) - 1) : (1u << (count - i)) - 1;
+      const Vec3<V> color = primary(load<V>(&xs[i]), load<V>(&ys[i]), mask_of<V>(there));
+      store(color.x, &colors[0][i]);
+      store(color.y, &colors[1][i]);
+      store(color.z, &colors[2][i]);
+    }
+    return {added(sum.x, colors[0], bits(pixels)), added(sum.y, colors[1], bits(pixels)), added(sum.z, colors[2], bits(pixels))};
+  }
+
+  template <std::size_t most>
+  V added(V sum, const std::array<T, most>& numbers, std::uint32_t pixels) const {
+    std::array<T, Lanes<V>::count> sums;
+    store(sum, sums.data());
+    for (std::size_t i = 0; pixels != 0; pixels &= pixels - 1)
+      for (std::size_t k = deciding_samples; k < scene_.samples.size(); ++k)
+        sums[static_cast<std::size_t>(std::countr_zero(pixels))] += numbers[i++];
+    return load<V>(sums.data());
   }
 
   Vec3<V> primary(V x, V y, Mask lanes) {
