@@ -42,13 +42,15 @@ rule 'stages/*/*.?pp' core/math/ 'stages/[0-9][0-9]_'
 rule 'stages/export_tasks.cpp' core/math/ stages/stages.hpp
 rule 'reference/solution/*' 'stages/[0-9][0-9]_'
 rule 'reference/oracle/*' core/math/ core/scene/scene.hpp core/render/engine.hpp reference/oracle/
-rule 'reference/engine/*' core/math/ core/scene/scene.hpp core/render/engine.hpp reference/engine/
+rule 'reference/engine/*.?pp' core/math/ core/scene/scene.hpp core/render/engine.hpp reference/engine/
+rule 'reference/engine/kernel/*' reference/engine/kernel/
 for folder in stages/[0-9][0-9]_*; do rule "$folder/*.?pp" core/math/ "$folder/stage.hpp"; done
 
 only 'toml\+\+' '^core/scene/'
 only OpenImageIO '^core/image/'
 only CLI/ '^core/cli/'
 only boost/ '^reference/oracle/'
+only hwy/ '^reference/engine/'
 only glm '^(core/math|reference/solution|stages)/'
 only nlohmann '^(core/(cli|references|report)|tests)/'
 only catch2 '^tests/'

@@ -13,15 +13,18 @@
 namespace raylab::cli {
 namespace {
 
-void line(const std::string& what, const std::string& how) { std::cout << std::left << std::setw(16) << what << how << '\n'; }
+void line(const std::string& what, const std::string& how) {
+  std::cout << std::left << std::setw(20) << what << how << '\n';
+}
 
 #ifdef RAYLAB_WITH_ENGINE
 void describe_engine() {
   const std::string_view chosen = default_simd_target();
   for (const SimdTarget& target : simd_targets()) {
-    const std::string lanes = std::to_string(target.lanes_f32) + " f32 or " + std::to_string(target.lanes_f64) + " f64 at a time";
-    line(target.name == chosen ? "engine fast" : "", std::string(target.name) + ": " + lanes +
-                                                         (target.name == chosen ? "  <- used" : ""));
+    const std::string lanes =
+        std::to_string(target.lanes_f32) + " f32 or " + std::to_string(target.lanes_f64) + " f64 at a time";
+    line(target.name == chosen ? "engine fast" : "",
+         std::string(target.name) + ": " + lanes + (target.name == chosen ? "  <- used" : ""));
   }
   line("", "RAYLAB_SIMD=NAME in the environment chooses another one; the image stays the same to the last bit");
 }

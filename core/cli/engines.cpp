@@ -22,12 +22,9 @@ namespace {
 
 constexpr int last_built_in_stage = 7;  // of the engines that do not run the stage table
 
-const std::map<std::string, AntiAliasing> patterns = {{"none", AntiAliasing::none},
-                                                      {"grid4", AntiAliasing::grid4},
-                                                      {"rotated4", AntiAliasing::rotated4},
-                                                      {"grid16", AntiAliasing::grid16},
-                                                      {"grid64", AntiAliasing::grid64},
-                                                      {"adaptive", AntiAliasing::adaptive}};
+const std::map<std::string, AntiAliasing> patterns = {
+    {"none", AntiAliasing::none},     {"grid4", AntiAliasing::grid4},   {"rotated4", AntiAliasing::rotated4},
+    {"grid16", AntiAliasing::grid16}, {"grid64", AntiAliasing::grid64}, {"adaptive", AntiAliasing::adaptive}};
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
@@ -121,8 +118,9 @@ std::unique_ptr<Engine> make_engine(const Scene& scene, const Settings& settings
 #ifdef RAYLAB_WITH_ENGINE
   if (options.engine == "fast") {
     require_built_in_stage(settings, options.engine);
-    return make_fast(scene, settings,
-                     {.precision = precision == "f32" ? Precision::f32 : Precision::f64, .threads = thread_count(options.threads)});
+    return make_fast(
+        scene, settings,
+        {.precision = precision == "f32" ? Precision::f32 : Precision::f64, .threads = thread_count(options.threads)});
   }
 #endif
 #ifdef RAYLAB_WITH_ORACLE

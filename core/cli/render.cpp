@@ -58,28 +58,29 @@ void write_stats(const Render& render, const Settings& settings, const EngineFac
                  const RenderTotals& totals) {
   const double pixels = static_cast<double>(settings.size.width) * settings.size.height;
   nlohmann::ordered_json json = {{"scene", render.scene},
-                                       {"stage", stage_info(settings.stage).name},
-                                       {"engine", render.options.engine},
-                                       {"precision", precision_of(render.options)},
-                                       {"width", settings.size.width},
-                                       {"height", settings.size.height},
-                                       {"threads", thread_count(render.options.threads)},
-                                       {"load_seconds", statistics.load_seconds},
-                                       {"build_seconds", statistics.build_seconds},
-                                       {"render_seconds", statistics.render_seconds},
-                                       {"trace_seconds", totals.trace_seconds},
-                                       {"megapixels_per_trace_second", pixels / 1e6 / totals.trace_seconds},
-                                       {"samples", totals.rays.primary},
-                                       {"rays",
-                                        {{"primary", totals.rays.primary},
-                                         {"shadow", totals.rays.shadow},
-                                         {"reflected", totals.rays.reflected},
-                                         {"refracted", totals.rays.refracted}}},
-                                       {"non_finite_pixels", totals.non_finite_pixels},
-                                       {"peak_memory_bytes", statistics.peak_memory}};
+                                 {"stage", stage_info(settings.stage).name},
+                                 {"engine", render.options.engine},
+                                 {"precision", precision_of(render.options)},
+                                 {"width", settings.size.width},
+                                 {"height", settings.size.height},
+                                 {"threads", thread_count(render.options.threads)},
+                                 {"load_seconds", statistics.load_seconds},
+                                 {"build_seconds", statistics.build_seconds},
+                                 {"render_seconds", statistics.render_seconds},
+                                 {"trace_seconds", totals.trace_seconds},
+                                 {"megapixels_per_trace_second", pixels / 1e6 / totals.trace_seconds},
+                                 {"samples", totals.rays.primary},
+                                 {"rays",
+                                  {{"primary", totals.rays.primary},
+                                   {"shadow", totals.rays.shadow},
+                                   {"reflected", totals.rays.reflected},
+                                   {"refracted", totals.rays.refracted}}},
+                                 {"non_finite_pixels", totals.non_finite_pixels},
+                                 {"peak_memory_bytes", statistics.peak_memory}};
   if (!facts.simd.empty()) {
     json["simd"] = facts.simd;
-    json["hierarchy"] = {{"spheres", facts.hierarchy_spheres}, {"seconds", facts.hierarchy_seconds}, {"bytes", facts.hierarchy_bytes}};
+    json["hierarchy"] = {
+        {"spheres", facts.hierarchy_spheres}, {"seconds", facts.hierarchy_seconds}, {"bytes", facts.hierarchy_bytes}};
   }
   write_file(render.stats, [&](std::ostream& stream) { stream << json.dump(2) << '\n'; });
 }

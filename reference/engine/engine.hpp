@@ -22,7 +22,7 @@ struct FastOptions {
 
 /// An instruction set that this machine can run the engine with.
 struct SimdTarget {
-  std::string_view name;   ///< "avx512", "avx2", "sse4", "neon", or "scalar": one number at a time
+  std::string_view name;     ///< "avx512", "avx2", "sse4", "neon", or "scalar": one number at a time
   int lanes_f32, lanes_f64;  ///< how many numbers it computes with at a time
 };
 

@@ -203,7 +203,8 @@ class LeafCutter {
 
   std::array<float, 3> center(Key key) const {
     const Double3 c = components(spheres_[sphere_number(key)].center);
-    return {static_cast<float>(c[0] - middle_[0]), static_cast<float>(c[1] - middle_[1]), static_cast<float>(c[2] - middle_[2])};
+    return {static_cast<float>(c[0] - middle_[0]), static_cast<float>(c[1] - middle_[1]),
+            static_cast<float>(c[2] - middle_[2])};
   }
 
   Leaf leaf(std::size_t begin, std::size_t end) const {
@@ -217,7 +218,8 @@ class LeafCutter {
   std::vector<Key>& keys_;
 };
 
-std::vector<Leaf> cut_leaves(std::span<const Sphere> spheres, const Double3& middle, std::vector<Key>& keys, unsigned threads) {
+std::vector<Leaf> cut_leaves(std::span<const Sphere> spheres, const Double3& middle, std::vector<Key>& keys,
+                             unsigned threads) {
   LeafCutter cutter(spheres, middle, keys);
   std::vector<std::size_t> cuts = {0, keys.size()};
   for (std::size_t i = 0; i + 1 < cuts.size();) {
@@ -264,8 +266,8 @@ class Divider {
     Cut best;
     for (std::size_t axis = 0; axis < 3; ++axis) best_cut(axis, best);
     if (best.cost == std::numeric_limits<double>::infinity()) return leaves_.size() / 2;
-    const auto right = std::partition(leaves_.begin(), leaves_.end(),
-                                      [&](const Leaf& leaf) { return bin(leaf, best.axis) <= best.bin; });
+    const auto right =
+        std::partition(leaves_.begin(), leaves_.end(), [&](const Leaf& leaf) { return bin(leaf, best.axis) <= best.bin; });
     return static_cast<std::size_t>(right - leaves_.begin());
   }
 
@@ -377,9 +379,8 @@ std::vector<Hierarchy::Node> build_nodes(std::span<Leaf> leaves, unsigned thread
   NodeBuilder top(nodes, std::max<std::size_t>(leaves.size() / (2 * shares), 64));
   top.build(leaves, 0);
   std::vector<std::vector<Hierarchy::Node>> parts(top.tasks().size());
-  in_parallel(parts.size(), threads, [&](std::size_t i) {
-    NodeBuilder(parts[i], 0).build(top.tasks()[i].leaves, top.tasks()[i].level);
-  });
+  in_parallel(parts.size(), threads,
+              [&](std::size_t i) { NodeBuilder(parts[i], 0).build(top.tasks()[i].leaves, top.tasks()[i].level); });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t start = nodes.size();
     nodes[top.tasks()[i].node].child[top.tasks()[i].slot] = Hierarchy::Child::node(start);

@@ -40,7 +40,12 @@ HWY_BEFORE_NAMESPACE();
 namespace raylab::fast::HWY_NAMESPACE {
 
 constexpr Kernel this_kernel(std::string_view name) {
-  return {name, HWY_TARGET, Lanes<Pack<float>>::count, Lanes<Pack<double>>::count, trace_rows<Pack<float>>, trace_rows<Pack<double>>};
+  return {name,
+          HWY_TARGET,
+          Lanes<Pack<float>>::count,
+          Lanes<Pack<double>>::count,
+          trace_rows<Pack<float>>,
+          trace_rows<Pack<double>>};
 }
 
 }  // namespace raylab::fast::HWY_NAMESPACE

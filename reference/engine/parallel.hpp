@@ -11,8 +11,8 @@
 
 namespace raylab::fast {
 
-/// Calls task(i) for each i below `count`, in no certain order, in up to `threads` threads, this one among them. Throws what a
-/// task throws.
+/// Calls task(i) for each i below `count`, in no certain order, in up to `threads` threads, this one among them. Throws what
+/// a task throws.
 template <class Task>
 void in_parallel(std::size_t count, unsigned threads, Task task) {
   std::atomic<std::size_t> next = 0;

@@ -197,7 +197,8 @@ class Builder {
     };
     for (const SphereObject& sphere : scene_.spheres) add({&sphere.shape, 1}, {&sphere.material.color, 1}, sphere.material);
     for (const SphereCloud& cloud : scene_.clouds)
-      add(cloud.spheres, cloud.colors.empty() ? std::span(&cloud.material.color, 1) : std::span(cloud.colors), cloud.material);
+      add(cloud.spheres, cloud.colors.empty() ? std::span(&cloud.material.color, 1) : std::span(cloud.colors),
+          cloud.material);
     add_group(SphereList(std::move(opaque)), hierarchy, out_.spheres.opaque);
     add_group(SphereList(std::move(glass)), hierarchy, out_.spheres.glass);
   }
@@ -209,7 +210,8 @@ class Builder {
     for (const PointLight& light : scene_.point_lights)
       out_.point_lights.push_back({to<T>(light.position), static_cast<T>(light.intensity), sides_of(light, scene_)});
     for (const DirectionalLight& light : scene_.directional_lights)
-      out_.directional_lights.push_back({to<T>(-unit(light.direction)), static_cast<T>(light.intensity), sides_of(light, scene_)});
+      out_.directional_lights.push_back(
+          {to<T>(-unit(light.direction)), static_cast<T>(light.intensity), sides_of(light, scene_)});
   }
 
   void note_features() {
@@ -279,7 +281,8 @@ class Builder {
   void resize(std::size_t count) {
     constexpr T none = std::numeric_limits<T>::quiet_NaN();
     Spheres<T>& spheres = out_.spheres;
-    for (std::vector<T>* numbers : {&spheres.center.x, &spheres.center.y, &spheres.center.z, &spheres.radius, &spheres.reach})
+    for (std::vector<T>* numbers :
+         {&spheres.center.x, &spheres.center.y, &spheres.center.z, &spheres.radius, &spheres.reach})
       numbers->resize(count, none);
     spheres.id.resize(count, no_geometry);
     out_.surfaces.numbers.resize((out_.planes.point.size() + count) * surface_columns);

@@ -139,8 +139,8 @@ struct Prepared {
   EngineFacts facts;
 };
 
-/// `hierarchy` false: none, however many spheres there are. `threads` build it. Throws std::invalid_argument if T is float and
-/// the scene is out of its range (see make_fast).
+/// `hierarchy` false: none, however many spheres there are. `threads` build it. Throws std::invalid_argument if T is float
+/// and the scene is out of its range (see make_fast).
 template <class T>
 Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy, unsigned threads);
 

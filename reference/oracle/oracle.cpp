@@ -101,7 +101,8 @@ class Pixels {
     std::vector<SampleOffset> samples(samples_.begin(), samples_.begin() + deciding_samples);
     std::vector<Color> colors;
     RayCounts uncounted;
-    for (const SampleOffset& sample : samples) colors.push_back(rounded(traced(coarse_, place, {sample}, false, uncounted, cancel)));
+    for (const SampleOffset& sample : samples)
+      colors.push_back(rounded(traced(coarse_, place, {sample}, false, uncounted, cancel)));
     return samples_agree(colors) ? samples : samples_;
   }
 
@@ -115,7 +116,8 @@ class Pixels {
   /// The word at one precision, if a finer one gives the same colors.
   template <class T, class Finer>
   std::optional<PixelWord> confirmed_word(const World<T>& world, const World<Finer>& finer, const Place& place,
-                                          const std::vector<SampleOffset>& samples, RayCounts& counted, const std::atomic<bool>& cancel) const {
+                                          const std::vector<SampleOffset>& samples, RayCounts& counted,
+                                          const std::atomic<bool>& cancel) const {
     const Testimony<T> seen = Witness<T>(world, cancel).pixel(place.column, place.row, samples);
     const auto together = traced(finer, place, samples, false, counted, cancel);
     if (!agree(seen.color.value, together)) return {};
@@ -142,8 +144,8 @@ class Pixels {
   }
 
   template <class T>
-  double sensitivity(const World<T>& world, const Place& place, const std::vector<SampleOffset>& samples, const Vec3<T>& exact,
-                     const std::atomic<bool>& cancel) const {
+  double sensitivity(const World<T>& world, const Place& place, const std::vector<SampleOffset>& samples,
+                     const Vec3<T>& exact, const std::atomic<bool>& cancel) const {
     RayCounts uncounted;
     double most = 0;
     for (const auto alter : {round_to_nearest<T>, round_at_random<T, 1>, round_at_random<T, 2>}) {

@@ -28,7 +28,8 @@ template <class V>
 RAYLAB_INLINE Refraction<V> refract(const Vec3<V>& d, const Vec3<V>& normal, MaskOf<V> inside, const Glass<V>& glass) {
   const V cosine = least(greatest(-dot(d, normal), V(0)), V(1));
   const V n_cosine = glass.n * cosine;
-  const V q_squared = select(inside, n_cosine * n_cosine - glass.n_squared_minus_1, glass.n_squared_minus_1 + cosine * cosine);
+  const V q_squared =
+      select(inside, n_cosine * n_cosine - glass.n_squared_minus_1, glass.n_squared_minus_1 + cosine * cosine);
   return {cosine, square_root(greatest(V(0), q_squared)), q_squared < V(0)};
 }
 
@@ -63,8 +64,8 @@ RAYLAB_INLINE Refracted<V> through_sphere(const Refraction<V>& in, const Vec3<V>
                                           V radius, const Glass<V>& glass) {
   const V g = glass.n_squared_minus_1 / (in.q + in.cosine);
   const V inverse_n = V(1) / glass.n;
-  const Vec3<V> inside = inverse_n * (d - g * n);              // T, the direction in the glass
-  const Vec3<V> middle = n + (in.q * inverse_n) * inside;      // half way between the normals of entry and exit
+  const Vec3<V> inside = inverse_n * (d - g * n);          // T, the direction in the glass
+  const Vec3<V> middle = n + (in.q * inverse_n) * inside;  // half way between the normals of entry and exit
   const Vec3<V> exit_normal = straightened(V(2) * middle - n);
   return {c + radius * exit_normal, straightened(d - (V(2) * g) * middle)};
 }

@@ -43,12 +43,13 @@ template <class V>
 Meeting<V> meet_nearby(V b, V gap) {
   const V discriminant = b * b - gap;
   const V half = square_root(greatest(V(0), discriminant));
-  const auto touches = gap == V(0);
-  const auto outside = (gap > V(0)) | (touches & (b <= V(0)));
+  const MaskOf<V> touches = gap == V(0);
+  const MaskOf<V> outside = (gap > V(0)) | (touches & (b <= V(0)));
+  const MaskOf<V> inside = !outside;
   const V from_outside = select(touches, V(0), gap / (half - b));
   const V from_inside = select(b > V(0), -gap / (half + b), half - b);
-  const MaskOf<V> met = (discriminant >= V(0)) & (!outside | touches | (b < V(0)));
-  return {met, select(outside, from_outside, from_inside), half, !outside};
+  const MaskOf<V> met = (discriminant >= V(0)) & (inside | touches | (b < V(0)));
+  return {met, select(outside, from_outside, from_inside), half, inside};
 }
 
 /// For the rays of `asked`. `gap` gives gap_to_sphere() of the rays' origins, where that is needed.

@@ -111,8 +111,7 @@ HWY_INLINE bool none(PackMask<T> mask) {
   return hn::AllFalse(Tag<T>(), mask.raw);
 }
 template <class V>
-  requires(!Number<V>)
-HWY_INLINE MaskOf<V> mask_of(std::uint32_t bits) {
+requires(!Number<V>) HWY_INLINE MaskOf<V> mask_of(std::uint32_t bits) {
   std::uint8_t bytes[8] = {};
   std::memcpy(bytes, &bits, sizeof bits);
   return {hn::LoadMaskBits(Tag<NumberOf<V>>(), bytes)};
@@ -128,13 +127,9 @@ HWY_INLINE Pack<T> magnitude(Pack<T> a) {
 }
 
 template <class V>
-  requires(!Number<V>)
-HWY_INLINE V load(const NumberOf<V>* numbers) {
-  return V(hn::LoadU(Tag<NumberOf<V>>(), numbers));
-}
+requires(!Number<V>) HWY_INLINE V load(const NumberOf<V>* numbers) { return V(hn::LoadU(Tag<NumberOf<V>>(), numbers)); }
 template <class V>
-  requires(!Number<V>)
-HWY_INLINE IndexOf<V> load_index(const WholeOf<V>* numbers) {
+requires(!Number<V>) HWY_INLINE IndexOf<V> load_index(const WholeOf<V>* numbers) {
   return IndexOf<V>(hn::LoadU(IndexTag<NumberOf<V>>(), numbers));
 }
 template <class T>
@@ -150,10 +145,7 @@ HWY_INLINE Pack<T> gather(const T* numbers, PackIndex<T> place) {
   return Pack<T>(hn::GatherIndex(Tag<T>(), numbers, place.raw));
 }
 template <class V>
-  requires(!Number<V>)
-HWY_INLINE IndexOf<V> lane_numbers() {
-  return IndexOf<V>(hn::Iota(IndexTag<NumberOf<V>>(), 0));
-}
+requires(!Number<V>) HWY_INLINE IndexOf<V> lane_numbers() { return IndexOf<V>(hn::Iota(IndexTag<NumberOf<V>>(), 0)); }
 
 template <class T>
 HWY_INLINE void split_exponent(Pack<T> a, Pack<T>& m, Pack<T>& k) {
@@ -247,8 +239,7 @@ class Eight {
   friend HWY_INLINE Eight where_at_most(const Eight& a, const Eight& b, const Eight& yes) {
     Eight result;
     const auto no = hn::Set(PartTag(), std::numeric_limits<float>::infinity());
-    for (std::size_t i = 0; i < parts; ++i)
-      result.raw_[i] = hn::IfThenElse(hn::Le(a.raw_[i], b.raw_[i]), yes.raw_[i], no);
+    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::IfThenElse(hn::Le(a.raw_[i], b.raw_[i]), yes.raw_[i], no);
     return result;
   }
   /// Bit i: is number i of `a` at most that of `b`?

@@ -34,8 +34,8 @@ class Probe {
     }
   }
 
-  /// Bit i: may there be something in the box of child i, at up to `limit`? `near` becomes the distance of that box, if it was
-  /// further.
+  /// Bit i: may there be something in the box of child i, at up to `limit`? `near` becomes the distance of that box, if it
+  /// was further.
   RAYLAB_INLINE std::uint32_t boxes_met(const Hierarchy::Node& node, float limit, Eight& near) const {
     Eight from(0.0f), to(limit);
     for (const Axis& a : axes_) {
@@ -76,7 +76,8 @@ class Stack {
   bool empty() const { return size_ == 0; }
   const Waiting& pop() { return waiting_[--size_]; }
 
-  void push(const Hierarchy::Node& node, const Eight& distances, const std::array<std::uint32_t, 8>& lanes, std::uint32_t met) {
+  void push(const Hierarchy::Node& node, const Eight& distances, const std::array<std::uint32_t, 8>& lanes,
+            std::uint32_t met) {
     std::array<float, 8> near;
     distances.store(near);
     for (const std::size_t first = size_; met != 0; met &= met - 1) {
@@ -119,8 +120,8 @@ void search_together(const Hierarchy& hierarchy, const Probe& probe, float limit
 }
 
 /// For many rays that go different ways: each node is tested for one after the other, which keeps the machine busy where
-/// the way of a single ray would be one long wait. Calls leaf(begin, count, lane) for each leaf in whose box the ray of `lane`
-/// may meet something at up to limits[lane], which that call may lower; below 0 the ray is done.
+/// the way of a single ray would be one long wait. Calls leaf(begin, count, lane) for each leaf in whose box the ray of
+/// `lane` may meet something at up to limits[lane], which that call may lower; below 0 the ray is done.
 template <std::size_t most_lanes, class Leaf>
 void search_each(const Hierarchy& hierarchy, const std::array<Probe, most_lanes>& probes, std::uint32_t lanes,
                  std::array<float, 16>& limits, Leaf leaf) {

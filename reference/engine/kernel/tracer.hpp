@@ -23,10 +23,10 @@ struct Nearest {
 template <class V>
 struct Hit {
   Vec3<V> point;
-  Vec3<V> normal;     ///< unit, turned to the ray's side
+  Vec3<V> normal;  ///< unit, turned to the ray's side
   IndexOf<V> place;
-  MaskOf<V> inside;   ///< met from the inside of a sphere
-  Vec3<V> center;     ///< of the sphere
+  MaskOf<V> inside;  ///< met from the inside of a sphere
+  Vec3<V> center;    ///< of the sphere
   V radius;
 };
 
@@ -125,7 +125,8 @@ class Tracer {
     for (int row = 0; row < height; row += Tile::height)
       for (int column = 0; column < width; column += Tile::width) {
         const int columns = std::min(Tile::width, width - column), rows = std::min(Tile::height, height - row);
-        Color* const corner = &pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+        Color* const corner =
+            &pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
         write(tile(column, first_row + row, columns, rows), columns, rows, corner);
       }
   }
@@ -197,7 +198,8 @@ class Tracer {
       sum = sum + color;
       const Vec3<V> seen = {clamped(color.x), clamped(color.y), clamped(color.z)};
       least_seen = {least(least_seen.x, seen.x), least(least_seen.y, seen.y), least(least_seen.z, seen.z)};
-      greatest_seen = {greatest(greatest_seen.x, seen.x), greatest(greatest_seen.y, seen.y), greatest(greatest_seen.z, seen.z)};
+      greatest_seen = {greatest(greatest_seen.x, seen.x), greatest(greatest_seen.y, seen.y),
+                       greatest(greatest_seen.z, seen.z)};
       agreed = agreed & (dot(seen, seen) >= V(0));  // and not NaN
     }
     const Vec3<V> apart = greatest_seen - least_seen;
@@ -227,13 +229,15 @@ class Tracer {
       }
     std::array<std::array<T, (rest + 1) * lanes>, 3> colors;
     for (std::size_t i = 0; i < count; i += lanes) {
-      const std::uint32_t there = count - i >= lanes ? static_cast<std::uint32_t>((1ull << lanes) - 1) : (1u << (count - i)) - 1;
+      const std::uint32_t there =
+          count - i >= lanes ? static_cast<std::uint32_t>((1ull << lanes) - 1) : (1u << (count - i)) - 1;
       const Vec3<V> color = primary(load<V>(&xs[i]), load<V>(&ys[i]), mask_of<V>(there));
       store(color.x, &colors[0][i]);
       store(color.y, &colors[1][i]);
       store(color.z, &colors[2][i]);
     }
-    return {added(sum.x, colors[0], bits(pixels)), added(sum.y, colors[1], bits(pixels)), added(sum.z, colors[2], bits(pixels))};
+    return {added(sum.x, colors[0], bits(pixels)), added(sum.y, colors[1], bits(pixels)),
+            added(sum.z, colors[2], bits(pixels))};
   }
 
   template <std::size_t most>
@@ -293,14 +297,21 @@ class Tracer {
       const T* const surface = surfaces + places.common() * surface_columns;
       const Whole row = static_cast<Whole>(surface[finish]) * finish_columns;
       const T* const look = finishes + row;
-      return {{V(surface[red]), V(surface[green]), V(surface[blue])}, V(look[alpha]), V(look[strength]), V(look[mirror]),
-              V(look[is_glass]) > V(0), Index(row)};
+      return {{V(surface[red]), V(surface[green]), V(surface[blue])},
+              V(look[alpha]),
+              V(look[strength]),
+              V(look[mirror]),
+              V(look[is_glass]) > V(0),
+              Index(row)};
     }
     const Index surface = shifted_left<std::countr_zero(unsigned{surface_columns})>(places.each());
     const Index row = shifted_left<std::countr_zero(unsigned{finish_columns})>(whole(gather(surfaces + finish, surface)));
     return {{gather(surfaces + red, surface), gather(surfaces + green, surface), gather(surfaces + blue, surface)},
-            gather(finishes + alpha, row), gather(finishes + strength, row), gather(finishes + mirror, row),
-            gather(finishes + is_glass, row) > V(0), row};
+            gather(finishes + alpha, row),
+            gather(finishes + strength, row),
+            gather(finishes + mirror, row),
+            gather(finishes + is_glass, row) > V(0),
+            row};
   }
 
   // ---- What the rays of a pack have in common -----------------------------------------------------------------------
@@ -349,8 +360,8 @@ class Tracer {
             greatest_lane(select(lanes, limit, V(0)))};
   }
 
-  /// Bit k: may a ray of the beam meet sphere begin + k, before `end`? A hit is at most 2 (R + radius) / (1 - growth) further
-  /// along than the sphere's centre, and a beam that grows faster than this reaches everything.
+  /// Bit k: may a ray of the beam meet sphere begin + k, before `end`? A hit is at most 2 (R + radius) / (1 - growth)
+  /// further along than the sphere's centre, and a beam that grows faster than this reaches everything.
   static constexpr T fastest_growth = T(0.25);
 
   std::uint32_t reached(const Beam& beam, std::size_t begin, std::size_t end) const {
@@ -358,7 +369,8 @@ class Tracer {
     const Spheres<T>& spheres = scene_.spheres;
     const std::size_t left = end - begin;
     const std::uint32_t there = left >= 32 ? ~0u : (1u << left) - 1;
-    const Vec3<V> c = {load<V>(&spheres.center.x[begin]), load<V>(&spheres.center.y[begin]), load<V>(&spheres.center.z[begin])};
+    const Vec3<V> c = {load<V>(&spheres.center.x[begin]), load<V>(&spheres.center.y[begin]),
+                       load<V>(&spheres.center.z[begin])};
     const Vec3<V> direction = spread<V>(beam.direction);
     const Vec3<V> f = c - spread<V>(beam.origin);
     const V along = least(greatest(dot(f, direction), V(0)), V(beam.length));
@@ -389,8 +401,8 @@ class Tracer {
 
   static Probe probe_for(const Beam& beam, const Hierarchy& hierarchy) {
     const std::array<double, 3>& middle = hierarchy.middle();
-    const double to_middle = std::max({std::abs(beam.origin.x - middle[0]), std::abs(beam.origin.y - middle[1]),
-                                       std::abs(beam.origin.z - middle[2])});
+    const double to_middle = std::max(
+        {std::abs(beam.origin.x - middle[0]), std::abs(beam.origin.y - middle[1]), std::abs(beam.origin.z - middle[2])});
     const double farthest = std::min<double>(beam.length, 2 * (to_middle + hierarchy.extent()));
     return Probe(hierarchy, beam.origin, beam.direction, beam.radius + beam.growth * farthest);
   }
@@ -400,7 +412,8 @@ class Tracer {
   Nearest<V> nearest_surface(const Ray<V>& ray, Mask lanes) {
     Nearest<V> best = {V(std::numeric_limits<T>::infinity()), Index(-1)};
     for (std::size_t i = 0; i < scene_.planes.point.size(); ++i) {
-      const V t = plane_distance(ray.origin, ray.direction, spread<V>(scene_.planes.point[i]), spread<V>(scene_.planes.normal[i]));
+      const V t =
+          plane_distance(ray.origin, ray.direction, spread<V>(scene_.planes.point[i]), spread<V>(scene_.planes.normal[i]));
       const Index place(static_cast<Whole>(i));
       const Mask closer = lanes & (t >= V(0)) & (t < best.t) & !(ray.leaves == place);
       best.t = select(closer, t, best.t);
@@ -444,8 +457,8 @@ class Tracer {
     update(lanes, t, ray.leaves, best);
   }
 
-  /// Lanes whose line passes sphere i closely enough, but for those that leave it, that have it behind them, or that have met
-  /// something nearer for certain.
+  /// Lanes whose line passes sphere i closely enough, but for those that leave it, that have it behind them, or that have
+  /// met something nearer for certain.
   RAYLAB_INLINE Mask may_meet(Index leaves, Mask lanes, std::size_t i, const Passing<V>& passing, V limit) const {
     const V reach(scene_.spheres.reach[i]);
     const Mask close = lanes & (passing.apart <= reach);
@@ -474,7 +487,8 @@ class Tracer {
   void update(Mask met, V t, Index place, Nearest<V>& best) const {
     Mask closer = met & (t < best.t);
     const Mask tied = met & (t == best.t);
-    if (any(tied)) [[unlikely]] closer = closer | (tied & stands_before(tied, place, best.place));
+    if (any(tied)) [[unlikely]]
+      closer = closer | (tied & stands_before(tied, place, best.place));
     best.t = select(closer, t, best.t);
     best.place = select(closer, place, best.place);
   }
@@ -492,7 +506,8 @@ class Tracer {
   }
 
   GeometryId id_of(Whole place) const {
-    return place < plane_count_ ? static_cast<GeometryId>(place) : scene_.spheres.id[static_cast<std::size_t>(place - plane_count_)];
+    return place < plane_count_ ? static_cast<GeometryId>(place)
+                                : scene_.spheres.id[static_cast<std::size_t>(place - plane_count_)];
   }
 
   // ---- Many spheres -------------------------------------------------------------------------------------------------
@@ -531,13 +546,15 @@ class Tracer {
     if (count(lanes) >= least_together && beam.growth < widest_together) {
       const auto limit = [&]() RAYLAB_ATTRIBUTE { return as_limit(greatest_lane(select(lanes, best.t, V(-1)))); };
       int leaves = most_leaves_together;
-      search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(), [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
-        for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, [&](std::size_t i) RAYLAB_ATTRIBUTE {
-          meet_sphere(ray, lanes, i, best);
-          return true;
-        });
-        return --leaves > 0 ? limit() : -1.0f;
-      });
+      search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(),
+                      [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
+                        for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count,
+                                         [&](std::size_t i) RAYLAB_ATTRIBUTE {
+                                           meet_sphere(ray, lanes, i, best);
+                                           return true;
+                                         });
+                        return --leaves > 0 ? limit() : -1.0f;
+                      });
       if (leaves > 0) return;
     }
     search_nearest_each(ray, lanes, group, best);
@@ -551,10 +568,11 @@ class Tracer {
     store(best.place, places.data());
     std::array<float, 16> limits;
     const std::array<Probe, Lanes<V>::count> probes = probes_for(rays, bits(lanes), *group.hierarchy, t, limits);
-    search_each(*group.hierarchy, probes, bits(lanes), limits, [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
-      for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<V>::count)
-        if (nearer_of_spheres(rays.ray(lane), i, t[lane], places[lane])) limits[lane] = as_limit(t[lane]);
-    });
+    search_each(*group.hierarchy, probes, bits(lanes), limits,
+                [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
+                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<V>::count)
+                    if (nearer_of_spheres(rays.ray(lane), i, t[lane], places[lane])) limits[lane] = as_limit(t[lane]);
+                });
     best.t = load<V>(t.data());
     best.place = load_index<V>(places.data());
   }
@@ -573,13 +591,15 @@ class Tracer {
     return probes;
   }
 
-  /// As many of a leaf's spheres as there are lanes, from place i on. What stands behind the leaf is asked too: it does no harm.
+  /// As many of a leaf's spheres as there are lanes, from place i on. What stands behind the leaf is asked too: it does no
+  /// harm.
   Meeting<V> meet_spheres(const Alone& ray, std::size_t i) const {
     const Spheres<T>& spheres = scene_.spheres;
     const Vec3<V> c = {load<V>(&spheres.center.x[i]), load<V>(&spheres.center.y[i]), load<V>(&spheres.center.z[i])};
     const Vec3<V> o = spread<V>(ray.origin);
     const Passing<V> passing = pass(o, spread<V>(ray.direction), c);
-    const Mask asked = (passing.apart <= load<V>(&spheres.reach[i])) & !(lane_numbers<V>() + place_of(i) == Index(ray.leaves));
+    const Mask own = lane_numbers<V>() + place_of(i) == Index(ray.leaves);
+    const Mask asked = (passing.apart <= load<V>(&spheres.reach[i])) & !own;
     if (none(asked)) return {asked, V(0), V(0), asked};
     const V radius = load<V>(&spheres.radius[i]);
     return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(o, c, radius); });
@@ -637,9 +657,8 @@ class Tracer {
       hit.radius = gather(scene_.spheres.radius.data(), sphere);
     }
     const Passing<V> passing = pass(ray.origin, ray.direction, hit.center);
-    const Meeting<V> meeting = meet(lanes, passing, hit.radius, [&]() RAYLAB_ATTRIBUTE {
-      return gap_to_sphere(ray.origin, hit.center, hit.radius);
-    });
+    const Meeting<V> meeting = meet(lanes, passing, hit.radius,
+                                    [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(ray.origin, hit.center, hit.radius); });
     const Mask own = lanes & ray.inwards & (ray.leaves == nearest.place);
     hit.inside = lanes & (own | meeting.inside);
     const V along = select(own, nearest.t + passing.b, select(meeting.inside, meeting.half, -meeting.half));
@@ -748,13 +767,15 @@ class Tracer {
     if (count(open) >= least_together) {
       const float limit = as_limit(greatest_lane(select(open, light.distance, V(-1))));
       int leaves = most_leaves_together;
-      search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit, [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
-        for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, [&](std::size_t i) RAYLAB_ATTRIBUTE {
-          open = open & !blocked_by(hit, light, open, i);
-          return any(open);
-        });
-        return --leaves > 0 && any(open) ? limit : -1.0f;
-      });
+      search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit,
+                      [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
+                        for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count,
+                                         [&](std::size_t i) RAYLAB_ATTRIBUTE {
+                                           open = open & !blocked_by(hit, light, open, i);
+                                           return any(open);
+                                         });
+                        return --leaves > 0 && any(open) ? limit : -1.0f;
+                      });
       if (leaves > 0 || none(open)) return open;
     }
     return search_unblocked_each(shadow, light.distance, open);
@@ -768,15 +789,16 @@ class Tracer {
     std::array<float, 16> limits;
     const std::array<Probe, Lanes<V>::count> probes = probes_for(rays, bits(open), *group.hierarchy, distances, limits);
     std::uint32_t blocked = 0;
-    search_each(*group.hierarchy, probes, bits(open), limits, [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
-      for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<V>::count) {
-        const Meeting<V> meeting = meet_spheres(rays.ray(lane), i);
-        if (none(meeting.met & (meeting.t < V(distances[lane])))) continue;
-        blocked |= 1u << lane;
-        limits[lane] = -1;
-        return;
-      }
-    });
+    search_each(*group.hierarchy, probes, bits(open), limits,
+                [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
+                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<V>::count) {
+                    const Meeting<V> meeting = meet_spheres(rays.ray(lane), i);
+                    if (none(meeting.met & (meeting.t < V(distances[lane])))) continue;
+                    blocked |= 1u << lane;
+                    limits[lane] = -1;
+                    return;
+                  }
+                });
     return open & !mask_of<V>(blocked);
   }
 
