@@ -147,7 +147,7 @@ class HierarchyCheck {
 };
 
 void check_hierarchy(const std::vector<Sphere>& spheres) {
-  fast::Hierarchy hierarchy(spheres, 1);
+  fast::Hierarchy hierarchy(spheres, fast::Hierarchy::Numbers::doubles, 1);
   HierarchyCheck(spheres, hierarchy).run();
 }
 
@@ -185,6 +185,33 @@ TEST_CASE("engine: the same bits with a hierarchy and without, far from zero, ti
   check_same_bits(heap(4, 1, {3e5, -2e5, 1e5}), {6, {41, 31}, 3, {}});
   check_same_bits(heap(5, 1e-6, {0, 0, 0}), {6, {41, 31}, 3, {}});
   check_same_bits(heap(6, 1e6, {1e9, 0, 0}), {6, {41, 31}, 3, {}});
+}
+
+TEST_CASE("engine: the same bits where float has few left, and near its limits", "[engine]") {
+  check_same_bits(heap(13, 40, {2e7, 1e7, -3e7}), {4, {41, 31}, 2, {}});
+  Scene scene = heap(14, 1e12, {0, 0, 0});
+  for (PointLight& light : scene.point_lights) light.intensity = 1e15;
+  scene.camera.position = {0, 0, 4e12};
+  check_same_bits(scene, {4, {31, 21}, 2, {}});
+}
+
+TEST_CASE("engine: a light in the very point that it would light does not spoil its neighbors", "[engine]") {
+  // In the middle of the picture a small ball with a lamp on it; around that, the wall that the lamp lights through a swarm.
+  Scene scene;
+  scene.camera = {{0, 0, 9}, {0, 0, -1}, {0, 1, 0}, 20};
+  scene.planes = {{{{0, 0, -20}, {0, 0, 1}}, {Color(0.7), 20, false, 1.5}}};
+  scene.spheres = {{{{0, 0, -1.0625}, 0.0625}, {Color(0.5), 20, false, 1.5}}};
+  scene.point_lights = {{{0, 0, -1}, 300}};
+  Random random(15);
+  SphereCloud swarm;
+  swarm.material = {Color(0.2), 0, false, 1.5};
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 place = random.point(1);
+    swarm.spheres.push_back({{place.x, place.y, -10 + 2 * place.z}, 0.05});
+  }
+  scene.clouds = {swarm};
+  // Of this size the middle pixel is in the middle of a block of 4 x 4 and of 4 x 2.
+  check_same_bits(scene, {5, {35, 35}, 2, {}});
 }
 
 TEST_CASE("engine: the same bits from a camera within the heap, looking along an axis", "[engine]") {
@@ -339,7 +366,8 @@ TEST_CASE("hierarchy: any spheres: all in one place, on a line, far apart in siz
 
 TEST_CASE("hierarchy: the same for any number of threads", "[engine]") {
   const std::vector<Sphere> spheres = random_spheres(30000, 6);
-  fast::Hierarchy alone(spheres, 1), together(spheres, 5);
+  fast::Hierarchy alone(spheres, fast::Hierarchy::Numbers::doubles, 1);
+  fast::Hierarchy together(spheres, fast::Hierarchy::Numbers::doubles, 5);
   CHECK(alone.take_order() == together.take_order());
   REQUIRE(alone.nodes().size() == together.nodes().size());
   CHECK(std::equal(alone.nodes().begin(), alone.nodes().end(), together.nodes().begin(),

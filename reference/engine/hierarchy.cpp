@@ -46,18 +46,28 @@ float rounded_down(double a) {
   return rounded <= a ? rounded : std::nextafter(rounded, -infinity);
 }
 
-Box box_of(const Sphere& sphere, const Double3& middle) {
-  const Double3 center = components(sphere.center);
-  Box box;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    // c - m and then - R round twice: the widening is more than both of them.
-    const double c = center[axis] - middle[axis];
-    const double wider = 4 * std::numeric_limits<double>::epsilon() * (std::abs(center[axis]) + sphere.radius);
-    box.low[axis] = rounded_down(c - sphere.radius - wider);
-    box.high[axis] = -rounded_down(-(c + sphere.radius + wider));
+/// Spheres as the engine has them, and where their boxes are measured from.
+struct Frame {
+  std::span<const Sphere> spheres;
+  Hierarchy::Numbers numbers;
+  Double3 middle;
+
+  double rounded(double a) const { return numbers == Hierarchy::Numbers::floats ? static_cast<float>(a) : a; }
+
+  Box box(std::size_t i) const {
+    const Double3 center = components(spheres[i].center);
+    const double radius = rounded(spheres[i].radius);
+    Box box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      // c - m and then - R round twice: the widening is more than both of them.
+      const double c = rounded(center[axis]) - middle[axis];
+      const double wider = 4 * std::numeric_limits<double>::epsilon() * (std::abs(center[axis]) + radius);
+      box.low[axis] = rounded_down(c - radius - wider);
+      box.high[axis] = -rounded_down(-(c + radius + wider));
+    }
+    return box;
   }
-  return box;
-}
+};
 
 // ---- Spheres in the order of a space-filling curve ---------------------------------------------------------------------
 
@@ -163,8 +173,7 @@ struct Leaf {
 /// Cuts sorted keys into leaves where the curve leaves a cell.
 class LeafCutter {
  public:
-  LeafCutter(std::span<const Sphere> spheres, const Double3& middle, std::vector<Key>& keys)
-      : spheres_(spheres), middle_(middle), keys_(keys) {}
+  LeafCutter(const Frame& frame, std::vector<Key>& keys) : frame_(frame), keys_(keys) {}
 
   void cut(std::size_t begin, std::size_t end, std::vector<Leaf>& leaves) {
     if (end - begin <= Hierarchy::largest_leaf)
@@ -202,25 +211,23 @@ class LeafCutter {
   }
 
   std::array<float, 3> center(Key key) const {
-    const Double3 c = components(spheres_[sphere_number(key)].center);
-    return {static_cast<float>(c[0] - middle_[0]), static_cast<float>(c[1] - middle_[1]),
-            static_cast<float>(c[2] - middle_[2])};
+    const Double3 c = components(frame_.spheres[sphere_number(key)].center);
+    return {static_cast<float>(c[0] - frame_.middle[0]), static_cast<float>(c[1] - frame_.middle[1]),
+            static_cast<float>(c[2] - frame_.middle[2])};
   }
 
   Leaf leaf(std::size_t begin, std::size_t end) const {
     Box box;
-    for (std::size_t k = begin; k < end; ++k) box.add(box_of(spheres_[sphere_number(keys_[k])], middle_));
+    for (std::size_t k = begin; k < end; ++k) box.add(frame_.box(sphere_number(keys_[k])));
     return {box, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin)};
   }
 
-  std::span<const Sphere> spheres_;
-  const Double3& middle_;
+  const Frame& frame_;
   std::vector<Key>& keys_;
 };
 
-std::vector<Leaf> cut_leaves(std::span<const Sphere> spheres, const Double3& middle, std::vector<Key>& keys,
-                             unsigned threads) {
-  LeafCutter cutter(spheres, middle, keys);
+std::vector<Leaf> cut_leaves(const Frame& frame, std::vector<Key>& keys, unsigned threads) {
+  LeafCutter cutter(frame, keys);
   std::vector<std::size_t> cuts = {0, keys.size()};
   for (std::size_t i = 0; i + 1 < cuts.size();) {
     if (cuts[i + 1] - cuts[i] > std::max<std::size_t>(keys.size() / shares, Hierarchy::largest_leaf))
@@ -394,12 +401,12 @@ std::vector<Hierarchy::Node> build_nodes(std::span<Leaf> leaves, unsigned thread
 
 }  // namespace
 
-Hierarchy::Hierarchy(std::span<const Sphere> spheres, unsigned threads) : order_(spheres.size()) {
+Hierarchy::Hierarchy(std::span<const Sphere> spheres, Numbers numbers, unsigned threads) : order_(spheres.size()) {
   const Bounds bounds = bounds_of_centers(spheres, threads);
   for (std::size_t axis = 0; axis < 3; ++axis) middle_[axis] = 0.5 * bounds.low[axis] + 0.5 * bounds.high[axis];
   std::vector<Key> keys = curve_keys(spheres, bounds, threads);
   sort_keys(keys, threads);
-  std::vector<Leaf> leaves = cut_leaves(spheres, middle_, keys, threads);
+  std::vector<Leaf> leaves = cut_leaves({spheres, numbers, middle_}, keys, threads);
   for (std::size_t k = 0; k < keys.size(); ++k) order_[k] = sphere_number(keys[k]);
   nodes_ = build_nodes(leaves, threads);
   for (const auto& plane : nodes_[0].planes)

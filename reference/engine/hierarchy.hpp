@@ -54,8 +54,11 @@ class Hierarchy {
 
   Hierarchy() = default;
 
+  /// What the spheres' numbers are rounded to before anything asks for them: the boxes hold the rounded spheres.
+  enum class Numbers { floats, doubles };
+
   /// Over 1 to `most_spheres` spheres, with coordinates and radii up to 1e15. The same tree for any number of threads.
-  Hierarchy(std::span<const Sphere> spheres, unsigned threads);
+  Hierarchy(std::span<const Sphere> spheres, Numbers numbers, unsigned threads);
 
   const std::vector<Node>& nodes() const { return nodes_; }  ///< the root comes first
 

@@ -145,7 +145,7 @@ struct GroupOrder {
   std::optional<Hierarchy> hierarchy;
 };
 
-GroupOrder order_of(std::span<const Sphere> spheres, bool hierarchy, unsigned threads) {
+GroupOrder order_of(std::span<const Sphere> spheres, Hierarchy::Numbers numbers, bool hierarchy, unsigned threads) {
   GroupOrder result;
   if (hierarchy && spheres.size() >= least_for_hierarchy && spheres.size() <= Hierarchy::most_spheres)
     result.order = giants_of(spheres);
@@ -158,7 +158,7 @@ GroupOrder order_of(std::span<const Sphere> spheres, bool hierarchy, unsigned th
     return result;
   }
   if (giants.empty()) {
-    result.hierarchy.emplace(spheres, threads);
+    result.hierarchy.emplace(spheres, numbers, threads);
     result.order = result.hierarchy->take_order();
     return result;
   }
@@ -167,7 +167,7 @@ GroupOrder order_of(std::span<const Sphere> spheres, bool hierarchy, unsigned th
   for (auto giant = giants.rbegin(); giant != giants.rend(); ++giant) rest.erase(rest.begin() + *giant);
   std::vector<Sphere> without;
   for (const std::uint32_t i : rest) without.push_back(spheres[i]);
-  result.hierarchy.emplace(without, threads);
+  result.hierarchy.emplace(without, numbers, threads);
   for (const std::uint32_t k : result.hierarchy->take_order()) result.order.push_back(rest[k]);
   return result;
 }
@@ -258,7 +258,8 @@ class Builder {
 
   void add_group(const SphereList& list, bool hierarchy, SphereGroup& group) {
     const auto start = std::chrono::steady_clock::now();
-    GroupOrder order = order_of(list.spheres(), hierarchy, threads_);
+    constexpr auto numbers = std::is_same_v<T, float> ? Hierarchy::Numbers::floats : Hierarchy::Numbers::doubles;
+    GroupOrder order = order_of(list.spheres(), numbers, hierarchy, threads_);
     if (order.hierarchy) {
       EngineFacts& facts = out_.facts;
       facts.hierarchy_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

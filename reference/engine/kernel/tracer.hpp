@@ -331,6 +331,13 @@ class Tracer {
     T length;
   };
 
+  /// A light as points see it.
+  struct Seen {
+    Vec3<V> l;  ///< unit, towards the light
+    V distance;
+    const Sides& sides;
+  };
+
   static T lane(V a, std::size_t i) {
     std::array<T, Lanes<V>::count> numbers;
     store(a, numbers.data());
@@ -358,6 +365,15 @@ class Tracer {
     const Point<T> direction = lane(ray.direction, start.first);
     return {start.middle, direction, start.radius, greatest_distance(ray.direction, direction, lanes),
             greatest_lane(select(lanes, limit, V(0)))};
+  }
+
+  /// Of shadow rays: they start in a ball and end in a point, or run in parallel. `first` may be a lane whose light is so
+  /// near that it is in no direction; then there is only the ball.
+  static Beam beam_of(const Area& area, const Seen& light) {
+    Beam beam = {area.middle, lane(light.l, area.first), area.radius, 0, lane(light.distance, area.first)};
+    const auto [x, y, z] = beam.direction;
+    if (!(x * x + y * y + z * z < T(2))) beam.direction = {};
+    return beam;
   }
 
   /// Bit k: may a ray of the beam meet sphere begin + k, before `end`? A hit is at most 2 (R + radius) / (1 - growth)
@@ -668,13 +684,6 @@ class Tracer {
 
   // ---- Light --------------------------------------------------------------------------------------------------------
 
-  /// A light as points see it.
-  struct Seen {
-    Vec3<V> l;  ///< unit, towards the light
-    V distance;
-    const Sides& sides;
-  };
-
   /// All the light that surfaces send back against `d`, but for their colors.
   V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit) {
     V sum(scene_.ambient);
@@ -730,7 +739,7 @@ class Tracer {
     const SphereGroup& opaque = scene_.spheres.opaque;
     const Mask inside = open & hit.inside & (hit.place < place_of(scene_.spheres.glass.begin));
     if (any(inside)) open = open & !(inside & far_side_blocks(hit, light, inside));
-    const Beam beam = {area.middle, lane(light.l, area.first), area.radius, 0, lane(light.distance, area.first)};
+    const Beam beam = beam_of(area, light);
     for_each_reached(beam, opaque.begin, opaque.loop_end, [&](std::size_t i) RAYLAB_ATTRIBUTE {
       open = open & !blocked_by(hit, light, open, i);
       return any(open);
