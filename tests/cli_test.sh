@@ -66,6 +66,23 @@ done
 run 0 render good.toml --engine oracle --size 8x4 -o oracle.png
 run 0 render good.toml --stage 2 --aa grid16 --stats stats.json
 check '--aa works before stage 7' grep -qF '"samples": 11088' stats.json
+run 0 render good.toml --aa adaptive --stats stats.json
+check '--aa adaptive takes from 4 to 16 samples a pixel' awk '/"samples"/ { exit !($2 + 0 > 2772 && $2 + 0 < 11088) }' stats.json
+
+# the fast engine's instruction sets
+run 0 doctor
+check 'doctor names the instruction set in use' grep -qE '^engine fast .*<- used$' stdout
+check 'doctor names scalar as the last resort' grep -qE 'scalar: 1 f32 or 1 f64 at a time' stdout
+run 0 render good.toml --engine fast --stats stats.json -o widest.exr
+export RAYLAB_SIMD=scalar
+run 0 render good.toml --engine fast --stats stats.json -o scalar.exr
+check 'RAYLAB_SIMD chooses the instruction set' grep -qF '"simd": "scalar"' stats.json
+check 'every instruction set gives the same image' cmp -s widest.exr scalar.exr
+export RAYLAB_SIMD=mmx
+run 1 render good.toml --engine fast -o scalar.exr
+says "RAYLAB_SIMD: there is no 'mmx' on this machine; there are"
+run 1 doctor
+unset RAYLAB_SIMD
 run 2 render good.toml --engine stages --precision f32
 says '--engine stages computes in f64 only'
 run 2 render good.toml --engine oracle --precision f64

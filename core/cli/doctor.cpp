@@ -18,8 +18,7 @@ void line(const std::string& what, const std::string& how) {
 }
 
 #ifdef RAYLAB_WITH_ENGINE
-void describe_engine() {
-  const std::string_view chosen = default_simd_target();
+void describe_engine(std::string_view chosen) {
   for (const SimdTarget& target : simd_targets()) {
     const std::string lanes =
         std::to_string(target.lanes_f32) + " f32 or " + std::to_string(target.lanes_f64) + " f64 at a time";
@@ -28,8 +27,6 @@ void describe_engine() {
   }
   line("", "RAYLAB_SIMD=NAME in the environment chooses another one; the image stays the same to the last bit");
 }
-#else
-void describe_engine() { line("engine fast", "left out of this build"); }
 #endif
 
 #ifdef RAYLAB_WITH_ORACLE
@@ -44,10 +41,17 @@ constexpr bool has_tests = false;
 #endif
 
 void diagnose() {
+#ifdef RAYLAB_WITH_ENGINE
+  const std::string_view simd = default_simd_target();  // throws before anything is printed
+#endif
   line("raylab", RAYLAB_VERSION);
   line("threads", std::to_string(thread_count(0)));
   line("engine stages", "f64");
-  describe_engine();
+#ifdef RAYLAB_WITH_ENGINE
+  describe_engine(simd);
+#else
+  line("engine fast", "left out of this build");
+#endif
   line("engine oracle", has_oracle ? "f237" : "left out of this build");
   line("tests", has_tests ? "built in" : "left out of this build");
   bool complete = true;

@@ -194,7 +194,7 @@ class Eight {
 /// Bit j of number i of the result is bit i of number j, where only number 0 has any.
 inline std::array<std::uint32_t, 8> transposed(const std::array<std::uint8_t, 16>& rows) {
   std::array<std::uint32_t, 8> columns;
-  for (unsigned i = 0; i < 8; ++i) columns[i] = (rows[0] >> i) & 1u;
+  for (unsigned i = 0; i < 8; ++i) columns[i] = (std::uint32_t{rows[0]} >> i) & 1u;
   return columns;
 }
 #endif
