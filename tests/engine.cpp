@@ -173,7 +173,7 @@ TEST_CASE("engine: every instruction set gives the same bits, on every scene", "
     INFO(path);
     const SceneFile file = read_scene(path);
     REQUIRE(file.scene.has_value());
-    for (const int stage : {1, 2, 4, 7}) check_same_bits(*file.scene, {stage, {37, 23}, file.scene->max_bounces, {}});
+    for (const int stage : {1, 2, 4, 7}) check_same_bits(*file.scene, {stage, {19, 11}, file.scene->max_bounces, {}});
   }
 }
 
