@@ -214,6 +214,24 @@ TEST_CASE("engine: a light in the very point that it would light does not spoil 
   check_same_bits(scene, {5, {35, 35}, 2, {}});
 }
 
+TEST_CASE("engine: a plane so far away that float has no square of its distance is dark, not NaN", "[engine]") {
+  Scene scene = one_sphere({{0, 0, -5}, 1});
+  scene.camera.position = {0, 1e14, 0};
+  scene.planes = {{{{0, 0, 0}, {0, 1, 1e-7}}, {Color(0.5), 20, false, 1.5}}};  // met after 1e21
+  scene.point_lights = {{{0, 2e14, 0}, 1e15}};
+  scene.ambient_lights = {{0.25}};
+  for (const SimdTarget& target : simd_targets()) {
+    const FastOptions options{Precision::f32, std::string(target.name)};
+    CHECK(first_pixel(*make_fast(scene, {5, {1, 1}, 2, {}}, options)) == Color(0.125));
+  }
+}
+
+TEST_CASE("engine: more bounces than it has room for are refused", "[engine]") {
+  const Scene scene = one_sphere({{0, 0, -5}, 1});
+  CHECK_NOTHROW(make_fast(scene, {5, {1, 1}, 100, {}}, {}));
+  CHECK_THROWS_WITH(make_fast(scene, {5, {1, 1}, 101, {}}, {}), Catch::Contains("max_bounces"));
+}
+
 TEST_CASE("engine: the same bits from a camera within the heap, looking along an axis", "[engine]") {
   Scene scene = heap(7, 1, {0, 0, 0});
   scene.camera = {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60};

@@ -22,8 +22,9 @@ enum class AntiAliasing { none, grid4, rotated4, grid16, grid64, adaptive };
 /// decide coming first.
 std::vector<SampleOffset> sample_offsets(AntiAliasing pattern);
 
-/// How many of adaptive's samples decide whether there will be more, and how far apart they may be in any component, clamped
-/// to 0..1, if they are to do: eight of the 255 steps of an image.
+/// How many samples adaptive takes at most, how many of them decide whether there will be more, and how far apart they may
+/// be in any component, clamped to 0..1, if they are to do: eight of the 255 steps of an image.
+inline constexpr std::size_t adaptive_samples = 16;
 inline constexpr std::size_t deciding_samples = 4;
 inline constexpr double agreeing_samples = 1. / 32;
 

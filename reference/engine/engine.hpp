@@ -40,7 +40,7 @@ std::string_view default_simd_target();
 /// gives the same bits in any thread and with any instruction set. `scene` is copied. Throws std::invalid_argument for `f32`
 /// if a coordinate, color, intensity or shininess (but infinity) is beyond 1e15 in size or a radius is below 1e-15: their
 /// squares would leave a float's range. Directions and normals may have any length. Throws it, too, for a `simd` that is
-/// not among simd_targets().
+/// not among simd_targets(), and for more than 100 bounces.
 std::unique_ptr<Engine> make_fast(const Scene& scene, const Settings& settings, const FastOptions& options);
 
 }  // namespace raylab

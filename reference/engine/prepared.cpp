@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 
 namespace raylab::fast {
@@ -221,7 +223,6 @@ class Builder {
       const T* const finish = &out_.finishes.numbers[row * finish_columns];
       features.highlights = features.highlights || finish[strength] > 0;
       features.mirrors = features.mirrors || finish[mirror] > 0;
-      features.glass = features.glass || finish[is_glass] > 0;
     }
     const auto in_plane = [](const auto& light) { return std::count(light.sides.begin(), light.sides.end(), 0) > 0; };
     features.lights_in_planes = std::any_of(out_.point_lights.begin(), out_.point_lights.end(), in_plane) ||
@@ -270,6 +271,7 @@ class Builder {
     group.begin = spheres.radius.size();
     group.loop_end = group.begin + order.looped;
     group.hierarchy = std::move(order.hierarchy);
+    spheres.count += list.size();
     resize(group.begin + list.size() + Spheres<T>::padding);
     constexpr std::size_t shares = 16;
     in_parallel(shares, threads_, [&](std::size_t i) {
@@ -313,6 +315,8 @@ class Builder {
 
 template <class T>
 Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy, unsigned threads) {
+  if (settings.max_bounces > static_cast<int>(most_bounces))
+    throw std::invalid_argument("max_bounces: " + std::to_string(settings.max_bounces) + " is more than 100");
   if constexpr (std::is_same_v<T, float>) check_float_range(scene);
   const AntiAliasing by_stage = settings.stage >= 7 ? AntiAliasing::rotated4 : AntiAliasing::none;
   Prepared<T> out;

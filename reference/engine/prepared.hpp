@@ -53,13 +53,12 @@ struct Spheres {
   std::vector<T> reach;  ///< the square of the radius, and more than rounding may take from the square of a distance
   std::vector<GeometryId> id;
   SphereGroup opaque, glass;
+  std::size_t count = 0;  ///< without the padding
 };
 
 /// A table of T for kernels that read from a different row in each lane. Its columns are named by an enumeration.
 template <class T, int columns>
 struct Table {
-  static constexpr int width = columns;
-
   std::vector<T> numbers;
 
   std::size_t rows() const { return numbers.size() / columns; }
@@ -110,7 +109,6 @@ struct PreparedCamera {
 struct Features {
   bool highlights = false;
   bool mirrors = false;
-  bool glass = false;
   bool shadows = false;
   bool lights_in_planes = false;
 };

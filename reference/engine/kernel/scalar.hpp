@@ -3,24 +3,18 @@
 /// A single number seen as a pack of one lane: the functions that pack.hpp has for packs, with the same meaning to the bit.
 namespace raylab::fast::RAYLAB_TARGET {
 
+template <class T>
+concept Number = std::is_floating_point_v<T>;
+
 template <class V>
 struct Lanes;
 
-template <>
-struct Lanes<float> {
-  using Number = float;
+template <Number T>
+struct Lanes<T> {
+  using Number = T;
   using Mask = bool;
-  using Index = std::int32_t;
-  using Whole = std::int32_t;
-  static constexpr int count = 1;
-};
-
-template <>
-struct Lanes<double> {
-  using Number = double;
-  using Mask = bool;
-  using Index = std::int64_t;
-  using Whole = std::int64_t;
+  using Whole = std::conditional_t<sizeof(T) == sizeof(std::int32_t), std::int32_t, std::int64_t>;
+  using Index = Whole;
   static constexpr int count = 1;
 };
 
@@ -32,9 +26,6 @@ template <class V>
 using IndexOf = typename Lanes<V>::Index;
 template <class V>
 using WholeOf = typename Lanes<V>::Whole;
-
-template <class T>
-concept Number = std::is_floating_point_v<T>;
 
 template <Number T>
 T select(bool condition, T yes, T no) {

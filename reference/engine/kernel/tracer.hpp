@@ -215,7 +215,7 @@ class Tracer {
   /// Adds the samples that did not decide. Pixels that need them are few and far between, so that most lanes of a pack would
   /// be idle: the samples are lined up in new packs instead, pixel by pixel.
   Vec3<V> with_the_rest(V x, V y, Mask pixels, const Vec3<V>& sum) {
-    constexpr std::size_t rest = 12, lanes = Lanes<V>::count;
+    constexpr std::size_t rest = adaptive_samples - deciding_samples, lanes = Lanes<V>::count;
     std::array<T, lanes> x_of, y_of;
     store(x, x_of.data());
     store(y, y_of.data());
@@ -413,7 +413,7 @@ class Tracer {
   /// meet too many leaves, or are few, for each of them alone.
   static constexpr std::size_t least_together = 3;
   static constexpr T widest_together = T(0.1);
-  static constexpr int most_leaves_together = 6;
+  static constexpr int most_leaves_together = 8;
 
   static Probe probe_for(const Beam& beam, const Hierarchy& hierarchy) {
     const std::array<double, 3>& middle = hierarchy.middle();
@@ -436,12 +436,15 @@ class Tracer {
       best.place = select(closer, place, best.place);
     }
     if (any(ray.inwards)) meet_own_sphere(ray, lanes & ray.inwards, best);
-    if (scene_.spheres.radius.size() > 0) nearest_sphere(ray, lanes, best);
+    if (scene_.spheres.count > 0) nearest_sphere(ray, lanes, best);
     return best;
   }
 
+  /// To ask so many is faster than to find out which ones a beam reaches.
+  static constexpr std::size_t few_spheres = 8;
+
   void nearest_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
-    if (scene_.spheres.radius.size() <= 2 * Spheres<T>::padding + 8) {
+    if (scene_.spheres.count <= few_spheres) {
       for (const SphereGroup* group : {&scene_.spheres.opaque, &scene_.spheres.glass})
         for (std::size_t i = group->begin; i < group->loop_end; ++i) meet_sphere(ray, lanes, i, best);
       return;
@@ -559,21 +562,26 @@ class Tracer {
   };
 
   void search_nearest(const Ray<V>& ray, Mask lanes, const Beam& beam, const SphereGroup& group, Nearest<V>& best) const {
-    if (count(lanes) >= least_together && beam.growth < widest_together) {
-      const auto limit = [&]() RAYLAB_ATTRIBUTE { return as_limit(greatest_lane(select(lanes, best.t, V(-1)))); };
-      int leaves = most_leaves_together;
-      search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(),
-                      [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
-                        for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count,
-                                         [&](std::size_t i) RAYLAB_ATTRIBUTE {
-                                           meet_sphere(ray, lanes, i, best);
-                                           return true;
-                                         });
-                        return --leaves > 0 ? limit() : -1.0f;
-                      });
-      if (leaves > 0) return;
-    }
-    search_nearest_each(ray, lanes, group, best);
+    const auto limit = [&]() RAYLAB_ATTRIBUTE { return as_limit(greatest_lane(select(lanes, best.t, V(-1)))); };
+    const auto visit = [&](std::size_t i) RAYLAB_ATTRIBUTE {
+      meet_sphere(ray, lanes, i, best);
+      return true;
+    };
+    if (!search_beam(group, beam, lanes, limit, visit)) search_nearest_each(ray, lanes, group, best);
+  }
+
+  /// Calls visit(i) for the spheres that the beam of `lanes` reaches, up to limit(), until that is below 0 or visit()
+  /// returns false. False: gave up, or did not begin.
+  template <class Limit, class Visit>
+  RAYLAB_INLINE bool search_beam(const SphereGroup& group, const Beam& beam, Mask lanes, Limit limit, Visit visit) const {
+    if (count(lanes) < least_together || !(beam.growth < widest_together)) return false;
+    int leaves = most_leaves_together;
+    const auto leaf = [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
+      for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, visit);
+      return --leaves > 0 ? limit() : -1.0f;
+    };
+    search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(), leaf);
+    return leaves > 0;
   }
 
   void search_nearest_each(const Ray<V>& ray, Mask lanes, const SphereGroup& group, Nearest<V>& best) const {
@@ -696,18 +704,19 @@ class Tracer {
       const V inverse = V(1) / (r * beyond);
       const V fall_off = inverse * r;
       const Seen seen = {(inverse * beyond) * way, r, light.sides};
-      sum = sum + light_from(seen, hit, area, d, look, lit & (r > V(0))) * (V(light.intensity) * (fall_off * fall_off));
+      const V strength = V(light.intensity) * (fall_off * fall_off);
+      sum = sum + light_from(seen, strength, hit, area, d, look, lit & (r > V(0)));
     }
     for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {
       const Seen seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.sides};
-      sum = sum + light_from(seen, hit, area, d, look, lit) * V(light.intensity);
+      sum = sum + light_from(seen, V(light.intensity), hit, area, d, look, lit);
     }
     return sum;
   }
 
-  /// Before the light's strength; 0 where the light is not seen.
-  RAYLAB_INLINE V light_from(const Seen& light, const Hit<V>& hit, const Area& area, const Vec3<V>& d, const Look<V>& look,
-                             Mask lit) {
+  /// 0 where the light is not seen; from so far away that distances are infinite, it is not.
+  RAYLAB_INLINE V light_from(const Seen& light, V strength, const Hit<V>& hit, const Area& area, const Vec3<V>& d,
+                             const Look<V>& look, Mask lit) {
     const V cosine = dot(light.l, hit.normal);
     lit = lit & (cosine > V(0));
     if (scene_.features.lights_in_planes) lit = lit & !in_own_plane(hit, light.sides);
@@ -716,7 +725,8 @@ class Tracer {
       lit = unblocked(hit, area, light, lit);
       if (none(lit)) return V(0);
     }
-    return select(lit, scene_.features.highlights ? cosine + shine(light, hit, d, look, lit) : cosine, V(0));
+    const V shown = scene_.features.highlights ? cosine + shine(light, hit, d, look, lit) : cosine;
+    return select(lit, shown * strength, V(0));
   }
 
   V shine(const Seen& light, const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit) const {
@@ -771,23 +781,14 @@ class Tracer {
   }
 
   Mask search_unblocked(const Hit<V>& hit, const Seen& light, const Beam& beam, Mask open) const {
-    const SphereGroup& group = scene_.spheres.opaque;
-    const Ray<V> shadow = {hit.point, light.l, hit.place, hit.inside};
-    if (count(open) >= least_together) {
-      const float limit = as_limit(greatest_lane(select(open, light.distance, V(-1))));
-      int leaves = most_leaves_together;
-      search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit,
-                      [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
-                        for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count,
-                                         [&](std::size_t i) RAYLAB_ATTRIBUTE {
-                                           open = open & !blocked_by(hit, light, open, i);
-                                           return any(open);
-                                         });
-                        return --leaves > 0 && any(open) ? limit : -1.0f;
-                      });
-      if (leaves > 0 || none(open)) return open;
-    }
-    return search_unblocked_each(shadow, light.distance, open);
+    const float longest = as_limit(greatest_lane(select(open, light.distance, V(-1))));
+    const auto limit = [&]() RAYLAB_ATTRIBUTE { return any(open) ? longest : -1.0f; };
+    const auto visit = [&](std::size_t i) RAYLAB_ATTRIBUTE {
+      open = open & !blocked_by(hit, light, open, i);
+      return any(open);
+    };
+    if (search_beam(scene_.spheres.opaque, beam, open, limit, visit) || none(open)) return open;
+    return search_unblocked_each({hit.point, light.l, hit.place, hit.inside}, light.distance, open);
   }
 
   Mask search_unblocked_each(const Ray<V>& shadow, V distance, Mask open) const {
