@@ -11,9 +11,6 @@ inline constexpr T magic = 0x1.8p52;
 template <>
 inline constexpr float magic<float> = 0x1.8p23f;
 
-template <class T>
-inline constexpr T root_half = static_cast<T>(0.70710678118654752440);
-
 /// e^-cut_off is nothing beside 1.
 template <class T>
 inline constexpr T cut_off = 80;
@@ -31,10 +28,10 @@ template <>
 inline constexpr float log_2_low<float> = 0x1.0bfbe8p-15f;
 
 /// (2 atanh(s) - 2 s) / s^3 in powers of s^2, from the highest: 2/(2k + 1) for k down to 1. As far as it counts at
-/// s^2 = (3 - 2 sqrt(2))^2, the largest that is asked for.
+/// s = 0.2, the largest that is asked for.
 template <class T>
-inline constexpr std::array<T, 9> atanh_series = {2. / 19, 2. / 17, 2. / 15, 2. / 13, 2. / 11,
-                                                  2. / 9,  2. / 7,  2. / 5,  2. / 3};
+inline constexpr std::array<T, 10> atanh_series = {2. / 21, 2. / 19, 2. / 17, 2. / 15, 2. / 13,
+                                                   2. / 11, 2. / 9,  2. / 7,  2. / 5,  2. / 3};
 template <>
 inline constexpr std::array<float, 5> atanh_series<float> = {2.f / 11, 2.f / 9, 2.f / 7, 2.f / 5, 2.f / 3};
 

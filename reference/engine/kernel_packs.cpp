@@ -44,8 +44,8 @@ constexpr Kernel this_kernel(std::string_view name) {
           HWY_TARGET,
           Lanes<Pack<float>>::count,
           Lanes<Pack<double>>::count,
-          trace_rows<Pack<float>>,
-          trace_rows<Pack<double>>};
+          trace_rows<Twin<Pack<float>>>,
+          trace_rows<Twin<Pack<double>>>};
 }
 
 }  // namespace raylab::fast::HWY_NAMESPACE

@@ -68,12 +68,16 @@ class Pack {
   friend HWY_INLINE PackMask<T> operator==(Pack a, Pack b) { return {hn::Eq(a.raw, b.raw)}; }
 };
 
+template <class V>
+concept IsPack = std::is_same_v<V, Pack<NumberOf<V>>>;
+
 template <class T>
 struct Lanes<Pack<T>> {
   using Number = T;
   using Mask = PackMask<T>;
   using Index = PackIndex<T>;
   using Whole = typename PackIndex<T>::Whole;
+  using Single = Pack<T>;
   static constexpr int count = static_cast<int>(hn::MaxLanes(Tag<T>()));
 };
 
@@ -110,8 +114,8 @@ template <class T>
 HWY_INLINE bool none(PackMask<T> mask) {
   return hn::AllFalse(Tag<T>(), mask.raw);
 }
-template <class V>
-requires(!Number<V>) HWY_INLINE MaskOf<V> mask_of(std::uint32_t bits) {
+template <IsPack V>
+HWY_INLINE MaskOf<V> mask_of(std::uint32_t bits) {
   std::uint8_t bytes[8] = {};
   std::memcpy(bytes, &bits, sizeof bits);
   return {hn::LoadMaskBits(Tag<NumberOf<V>>(), bytes)};
@@ -126,10 +130,12 @@ HWY_INLINE Pack<T> magnitude(Pack<T> a) {
   return Pack<T>(hn::Abs(a.raw));
 }
 
-template <class V>
-requires(!Number<V>) HWY_INLINE V load(const NumberOf<V>* numbers) { return V(hn::LoadU(Tag<NumberOf<V>>(), numbers)); }
-template <class V>
-requires(!Number<V>) HWY_INLINE IndexOf<V> load_index(const WholeOf<V>* numbers) {
+template <IsPack V>
+HWY_INLINE V load(const NumberOf<V>* numbers) {
+  return V(hn::LoadU(Tag<NumberOf<V>>(), numbers));
+}
+template <IsPack V>
+HWY_INLINE IndexOf<V> load_index(const WholeOf<V>* numbers) {
   return IndexOf<V>(hn::LoadU(IndexTag<NumberOf<V>>(), numbers));
 }
 template <class T>
@@ -144,21 +150,25 @@ template <class T>
 HWY_INLINE Pack<T> gather(const T* numbers, PackIndex<T> place) {
   return Pack<T>(hn::GatherIndex(Tag<T>(), numbers, place.raw));
 }
-template <class V>
-requires(!Number<V>) HWY_INLINE IndexOf<V> lane_numbers() { return IndexOf<V>(hn::Iota(IndexTag<NumberOf<V>>(), 0)); }
+template <IsPack V>
+HWY_INLINE IndexOf<V> lane_numbers() {
+  return IndexOf<V>(hn::Iota(IndexTag<NumberOf<V>>(), 0));
+}
 
 template <class T>
-HWY_INLINE void split_exponent(Pack<T> a, Pack<T>& m, Pack<T>& k) {
+HWY_INLINE void split_ratio(Pack<T> a, Pack<T> b, Pack<T>& m, Pack<T>& k) {
   constexpr int mantissa_bits = std::numeric_limits<T>::digits - 1;
-  const hn::RebindToUnsigned<Tag<T>> whole;
-  const auto root = hn::BitCast(whole, hn::Set(Tag<T>(), root_half<T>));
-  const auto from_root = hn::Sub(hn::BitCast(whole, a.raw), root);
-  // AVX2 shifts no signed 64-bit numbers to the right: `one` lifts the exponent above 0.
-  const auto one = hn::BitCast(whole, hn::Set(Tag<T>(), T(1)));
-  const auto exponent = hn::Sub(hn::ShiftRight<mantissa_bits>(hn::Add(from_root, one)), hn::ShiftRight<mantissa_bits>(one));
-  const auto with_magic = hn::Add(exponent, hn::BitCast(whole, hn::Set(Tag<T>(), magic<T>)));
-  k = Pack<T>(hn::BitCast(Tag<T>(), with_magic)) - Pack<T>(magic<T>);
-  m = Pack<T>(hn::BitCast(Tag<T>(), hn::Add(hn::Sub(from_root, hn::ShiftLeft<mantissa_bits>(exponent)), root)));
+  const IndexTag<T> whole;
+  const auto bits_of = [whole](Pack<T> number) HWY_ATTR { return hn::BitCast(whole, number.raw); };
+  // AVX2 shifts no signed 64-bit numbers to the right: the bits of 4 lift the exponent above 0, those of 1/2 of them round.
+  const auto half = hn::Set(whole, WholeOf<Pack<T>>(1) << (mantissa_bits - 1));
+  const auto lift = bits_of(Pack<T>(T(4)));
+  const auto lifted = hn::Add(hn::Sub(bits_of(a), bits_of(b)), hn::Add(lift, half));
+  const auto exponent =
+      hn::Sub(hn::BitCast(whole, hn::ShiftRight<mantissa_bits>(hn::BitCast(hn::RebindToUnsigned<Tag<T>>(), lifted))),
+              hn::ShiftRight<mantissa_bits>(lift));
+  k = Pack<T>(hn::BitCast(Tag<T>(), hn::Add(exponent, bits_of(Pack<T>(magic<T>))))) - Pack<T>(magic<T>);
+  m = Pack<T>(hn::BitCast(Tag<T>(), hn::Sub(bits_of(a), hn::ShiftLeft<mantissa_bits>(exponent))));
 }
 
 template <class T>
@@ -182,11 +192,7 @@ HWY_INLINE void store_interleaved(Pack<double> x, Pack<double> y, Pack<double> z
   hn::StoreInterleaved3(x.raw, y.raw, z.raw, Tag<double>(), numbers);
 }
 
-/// The least and the greatest number of all lanes.
-template <class T>
-HWY_INLINE T least_lane(Pack<T> a) {
-  return hn::GetLane(hn::MinOfLanes(Tag<T>(), a.raw));
-}
+/// The greatest number of all lanes.
 template <class T>
 HWY_INLINE T greatest_lane(Pack<T> a) {
   return hn::GetLane(hn::MaxOfLanes(Tag<T>(), a.raw));
@@ -262,16 +268,15 @@ class Eight {
 };
 
 /// Bit j of number i of the result is bit i of number j.
-HWY_INLINE std::array<std::uint32_t, 8> transposed(const std::array<std::uint8_t, 16>& rows) {
-  const hn::Full128<std::uint8_t> tag;
+template <std::size_t count>
+HWY_INLINE std::array<std::uint32_t, 8> transposed(const std::array<std::uint8_t, count>& rows) {
+  const hn::FixedTag<std::uint8_t, count> tag;
   const auto all = hn::LoadU(tag, rows.data());
   std::array<std::uint32_t, 8> columns;
   for (unsigned i = 0; i < 8; ++i) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(tag, hn::TestBit(all, hn::Set(tag, static_cast<std::uint8_t>(1u << i))), bytes);
-    std::uint16_t column;
-    std::memcpy(&column, bytes, sizeof column);
-    columns[i] = column;
+    std::memcpy(&columns[i], bytes, sizeof columns[i]);
   }
   return columns;
 }

@@ -6,6 +6,7 @@
 #include "reference/engine/kernel/scalar.hpp"
 #ifdef RAYLAB_PACKS
 #include "reference/engine/kernel/pack.hpp"
+#include "reference/engine/kernel/twin.hpp"
 #endif
 #include "reference/engine/kernel/vec3.hpp"
 

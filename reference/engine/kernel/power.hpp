@@ -10,24 +10,22 @@ RAYLAB_INLINE V polynomial(V x, const std::array<NumberOf<V>, n>& coefficients) 
   return sum;
 }
 
-/// log(1 - sine2) where sine2 is small, log(cosine2) else: sine2 and cosine2 are squares of the sine and the cosine of one
-/// angle, and the smaller one of them knows the angle best. For 0 < cosine2, normal.
+/// log(cosine2 / squared), where sine2 + cosine2 = squared: squares of the legs and the hypotenuse of a triangle. Of the
+/// legs the shorter one knows the angle best. For normal cosine2 > 0.
 ///
-/// With s = f/(2 + f), log(1 + f) = 2 atanh(s) = 2s + s z r(z), z = s^2: the series of atanh cut where |s| <= 0.1716 hides
-/// the rest.
+/// log(a/b) = 2 atanh(s) = 2s + s z r(z) with s = (a - b)/(a + b), z = s^2: near the peak a - b is -sine2 itself, else
+/// powers of two are taken out so that |s| <= 0.2. So one division does both for the ratio and for the logarithm.
 template <class V>
-RAYLAB_INLINE V log_of_cosine2(V sine2, V cosine2) {
+RAYLAB_INLINE V log_of_ratio(V sine2, V cosine2, V squared) {
   using T = NumberOf<V>;
   V m, k;
-  split_exponent(cosine2, m, k);
-  const auto near_peak = sine2 < V(0.25f);
-  const V f = select(near_peak, -sine2, m - V(1));
+  split_ratio(cosine2, squared, m, k);
+  const auto near_peak = sine2 < V(0.25f) * squared;
   k = select(near_peak, V(0), k);
-  const V s = f / (V(2) + f);
+  const V s = select(near_peak, -sine2, m - squared) / select(near_peak, squared + (squared - sine2), m + squared);
   const V z = s * s;
-  // 2 atanh(s) = 2s + s z r = f - s (f - z r), since 2s = f - s f.
   const V r = polynomial(z, atanh_series<T>);
-  return k * V(log_2_high<T>) + ((f - s * (f - z * r)) + k * V(log_2_low<T>));
+  return k * V(log_2_high<T>) + ((s + s) + (s * z * r + k * V(log_2_low<T>)));
 }
 
 /// e^y for y from -cut_off to 0.
@@ -51,14 +49,13 @@ RAYLAB_INLINE V highlight(MaskOf<V> asked, const Vec3<V>& l, const Vec3<V>& n, c
   const V along = dot(sum, n);
   const Vec3<V> across = sum - along * n;
   const V squared = dot(sum, sum);
-  const V inverse = V(1) / squared;
-  const V sine2 = dot(across, across) * inverse;
+  const V sine2 = dot(across, across);
   // log(1 - x) <= -x: what is certainly below e^-cut_off is nothing beside the cosine that it is added to.
   const V half_alpha = V(0.5f) * alpha;
-  const auto seen = asked & (along > V(0)) & (half_alpha * sine2 < V(cut_off<T>));
+  const auto seen = asked & (along > V(0)) & (half_alpha * sine2 < V(cut_off<T>) * squared);
   if (none(seen)) return V(0);
-  const V cosine2 = greatest(along * along * inverse, V(std::numeric_limits<T>::min()));
-  const V y = half_alpha * log_of_cosine2(sine2, cosine2);
+  const V cosine2 = greatest(along * along, V(std::numeric_limits<T>::min()));
+  const V y = half_alpha * log_of_ratio(sine2, cosine2, squared);
   const auto above = seen & (y > V(-cut_off<T>));
   return select(above, exponential(select(above, y, V(0))), V(0));
 }

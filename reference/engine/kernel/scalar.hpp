@@ -15,6 +15,7 @@ struct Lanes<T> {
   using Mask = bool;
   using Whole = std::conditional_t<sizeof(T) == sizeof(std::int32_t), std::int32_t, std::int64_t>;
   using Index = Whole;
+  using Single = T;  ///< of two packs side by side, one; else the thing itself
   static constexpr int count = 1;
 };
 
@@ -26,6 +27,8 @@ template <class V>
 using IndexOf = typename Lanes<V>::Index;
 template <class V>
 using WholeOf = typename Lanes<V>::Whole;
+template <class V>
+using SingleOf = typename Lanes<V>::Single;
 
 template <Number T>
 T select(bool condition, T yes, T no) {
@@ -84,15 +87,17 @@ IndexOf<V> lane_numbers() {
   return 0;
 }
 
-/// `a` as m 2^k with sqrt(1/2) <= m < sqrt(2), for a normal a > 0.
+/// `a` as m 2^k with m about as large as `b`: 2/3 b < m < 3/2 b. For normal a > 0, and b from twice the smallest of these
+/// numbers to 4.
+///
+/// The bits of a number, taken as a whole number, are the exponent and behind its point the rest: nearly the logarithm.
 template <Number T>
-void split_exponent(T a, T& m, T& k) {
+void split_ratio(T a, T b, T& m, T& k) {
   using Int = IndexOf<T>;
   constexpr int mantissa_bits = std::numeric_limits<T>::digits - 1;
-  const Int from_root = std::bit_cast<Int>(a) - std::bit_cast<Int>(root_half<T>);
-  const Int exponent = from_root >> mantissa_bits;
+  const Int exponent = (std::bit_cast<Int>(a) - std::bit_cast<Int>(b) + (Int(1) << (mantissa_bits - 1))) >> mantissa_bits;
   k = static_cast<T>(exponent);
-  m = std::bit_cast<T>(static_cast<Int>(from_root - (exponent << mantissa_bits) + std::bit_cast<Int>(root_half<T>)));
+  m = std::bit_cast<T>(static_cast<Int>(std::bit_cast<Int>(a) - (exponent << mantissa_bits)));
 }
 
 /// 2^k for a whole number k that is given as k + magic<T>.
@@ -111,10 +116,6 @@ void store_interleaved(T x, T y, T z, double* numbers) {
   numbers[2] = z;
 }
 
-template <Number T>
-T least_lane(T a) {
-  return a;
-}
 template <Number T>
 T greatest_lane(T a) {
   return a;
@@ -183,7 +184,8 @@ class Eight {
 };
 
 /// Bit j of number i of the result is bit i of number j, where only number 0 has any.
-inline std::array<std::uint32_t, 8> transposed(const std::array<std::uint8_t, 16>& rows) {
+template <std::size_t count>
+std::array<std::uint32_t, 8> transposed(const std::array<std::uint8_t, count>& rows) {
   std::array<std::uint32_t, 8> columns;
   for (unsigned i = 0; i < 8; ++i) columns[i] = (std::uint32_t{rows[0]} >> i) & 1u;
   return columns;

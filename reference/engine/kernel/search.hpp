@@ -22,15 +22,13 @@ class Probe {
     const float farthest = std::max({hierarchy.extent(), std::abs(from[0]), std::abs(from[1]), std::abs(from[2])});
     const float wider = static_cast<float>(radius) * (1 + rounding) + rounding * farthest;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      Axis& a = axes_[axis];
       const bool negative = along[axis] < 0;
-      a.entry = negative ? 3 + axis : axis;
-      a.exit = negative ? axis : 3 + axis;
       // A component of 0, which has no reciprocal, is as good as 1e-18.
       const float inverse = (negative ? -1 : 1) / std::max(std::abs(along[axis]), 1e-18f);
-      a.inverse = Eight(inverse);
-      a.entry_start = Eight((negative ? from[axis] - wider : from[axis] + wider) * inverse);
-      a.exit_start = Eight((negative ? from[axis] + wider : from[axis] - wider) * inverse);
+      const float entry = negative ? -wider : wider;
+      axes_[axis] = {inverse, (from[axis] + entry) * inverse, (from[axis] - entry) * inverse,
+                     static_cast<std::uint32_t>(negative ? 3 + axis : axis),
+                     static_cast<std::uint32_t>(negative ? axis : 3 + axis)};
     }
   }
 
@@ -39,8 +37,9 @@ class Probe {
   RAYLAB_INLINE std::uint32_t boxes_met(const Hierarchy::Node& node, float limit, Eight& near) const {
     Eight from(0.0f), to(limit);
     for (const Axis& a : axes_) {
-      from = greater(from, multiply_subtract(Eight::load(node.planes[a.entry]), a.inverse, a.entry_start));
-      to = lesser(to, multiply_subtract(Eight::load(node.planes[a.exit]), a.inverse, a.exit_start));
+      const Eight inverse(a.inverse);
+      from = greater(from, multiply_subtract(Eight::load(node.planes[a.entry]), inverse, Eight(a.entry_start)));
+      to = lesser(to, multiply_subtract(Eight::load(node.planes[a.exit]), inverse, Eight(a.exit_start)));
     }
     near = lesser(near, where_at_most(from, to, from));
     return at_most(from, to);
@@ -48,20 +47,31 @@ class Probe {
 
  private:
   struct Axis {
-    Eight inverse, entry_start, exit_start;
-    std::size_t entry, exit;  ///< the planes that the ray crosses first and last
+    float inverse, entry_start, exit_start;
+    std::uint32_t entry, exit;  ///< the planes that the ray crosses first and last
   };
 
   std::array<Axis, 3> axes_;
 };
 
-/// Bit i: is limits[i] at least `distance`?
-inline std::uint32_t reaching(float distance, const std::array<float, 16>& limits) {
-  std::array<float, 8> low, high;
-  std::copy_n(limits.begin(), 8, low.begin());
-  std::copy_n(limits.begin() + 8, 8, high.begin());
-  return at_most(Eight(distance), Eight::load(low)) | at_most(Eight(distance), Eight::load(high)) << 8;
-}
+/// How far the ray of each lane is to be followed; below 0: no further.
+template <std::size_t lanes>
+class Limits {
+ public:
+  Limits() { eights_.fill({-1, -1, -1, -1, -1, -1, -1, -1}); }
+
+  float& operator[](std::size_t lane) { return eights_[lane / 8][lane % 8]; }
+
+  /// Bit i: does that of lane i reach as far as `distance`?
+  RAYLAB_INLINE std::uint32_t reaching(float distance) const {
+    std::uint32_t mask = 0;
+    for (std::size_t i = 0; i < eights_.size(); ++i) mask |= at_most(Eight(distance), Eight::load(eights_[i])) << (8 * i);
+    return mask;
+  }
+
+ private:
+  alignas(64) std::array<std::array<float, 8>, (lanes + 7) / 8> eights_;
+};
 
 /// What waits in a search: a node or a leaf, how far it is at least, and the rays, by lane, that may meet something there.
 struct Waiting {
@@ -124,7 +134,9 @@ void search_together(const Hierarchy& hierarchy, const Probe& probe, float limit
 /// `lane` may meet something at up to limits[lane], which that call may lower; below 0 the ray is done.
 template <std::size_t most_lanes, class Leaf>
 void search_each(const Hierarchy& hierarchy, const std::array<Probe, most_lanes>& probes, std::uint32_t lanes,
-                 std::array<float, 16>& limits, Leaf leaf) {
+                 Limits<most_lanes>& limits, Leaf leaf) {
+  constexpr std::size_t rows = std::max<std::size_t>(16, most_lanes);  // what the smallest register holds
+
   Stack stack;
   Waiting next = {0, lanes, Hierarchy::Child::node(0)};
   for (;;) {
@@ -134,7 +146,7 @@ void search_each(const Hierarchy& hierarchy, const std::array<Probe, most_lanes>
     } else {
       const Hierarchy::Node& node = hierarchy.nodes()[next.child.number()];
       Eight near(std::numeric_limits<float>::infinity());
-      std::array<std::uint8_t, 16> boxes{};
+      std::array<std::uint8_t, rows> boxes{};
       std::uint32_t met = 0;
       for (std::uint32_t rest = next.lanes; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
@@ -147,7 +159,7 @@ void search_each(const Hierarchy& hierarchy, const std::array<Probe, most_lanes>
     do {
       if (stack.empty()) return;
       next = stack.pop();
-      next.lanes &= reaching(next.near, limits);
+      next.lanes &= limits.reaching(next.near);
     } while (next.lanes == 0);
   }
 }

@@ -71,10 +71,11 @@ class WaitingRays {
 
   bool empty() const { return size_ == 0; }
 
-  RAYLAB_INLINE void push(const Waiting& rays) {
+  /// To be filled in.
+  Waiting& push() {
     const std::uint8_t place = free_[size_ + held_];
     order_[size_++] = place;
-    rays_[place] = rays;
+    return rays_[place];
   }
 
   /// Valid until release().
@@ -133,10 +134,11 @@ class Tracer {
 
  private:
   using Whole = WholeOf<V>;
+  using Row = SingleOf<V>;  ///< spheres side by side, that one ray or beam asks
 
   /// The pixels that are traced together: a block, whose rays stay together longer than those of a row.
   struct Tile {
-    static constexpr int width = Lanes<V>::count >= 8 ? 4 : Lanes<V>::count >= 2 ? 2 : 1;
+    static constexpr int width = Lanes<V>::count >= 32 ? 8 : Lanes<V>::count >= 8 ? 4 : Lanes<V>::count >= 2 ? 2 : 1;
     static constexpr int height = Lanes<V>::count / width;
   };
 
@@ -263,7 +265,7 @@ class Tracer {
   /// than one for each bounce.
   Vec3<V> color(const Ray<V>& primary_rays, Mask lanes) {
     Vec3<V> sum = zero();
-    waiting_.push({primary_rays, V(1), lanes, 0});
+    wait(primary_rays, V(1), lanes, 0);
     while (!waiting_.empty()) {
       const Waiting& next = waiting_.pop();
       sum = select(next.lanes, sum + next.weight * surface_color(next), sum);
@@ -353,7 +355,10 @@ class Tracer {
 
   static Area area_of(const Vec3<V>& points, Mask lanes) {
     // One from the middle of the tile, if there is one.
-    constexpr std::uint32_t inner = Lanes<V>::count == 16 ? 0x0660 : Lanes<V>::count == 8 ? 0x66 : ~0u;
+    constexpr std::uint32_t inner = Lanes<V>::count == 32   ? 0x3c3c00
+                                    : Lanes<V>::count == 16 ? 0x0660
+                                    : Lanes<V>::count == 8  ? 0x66
+                                                            : ~0u;
     const std::uint32_t all = bits(lanes);
     const auto first = static_cast<std::size_t>(std::countr_zero((all & inner) != 0 ? all & inner : all));
     const Point<T> middle = lane(points, first);
@@ -385,14 +390,14 @@ class Tracer {
     const Spheres<T>& spheres = scene_.spheres;
     const std::size_t left = end - begin;
     const std::uint32_t there = left >= 32 ? ~0u : (1u << left) - 1;
-    const Vec3<V> c = {load<V>(&spheres.center.x[begin]), load<V>(&spheres.center.y[begin]),
-                       load<V>(&spheres.center.z[begin])};
-    const Vec3<V> direction = spread<V>(beam.direction);
-    const Vec3<V> f = c - spread<V>(beam.origin);
-    const V along = least(greatest(dot(f, direction), V(0)), V(beam.length));
-    const Vec3<V> apart = f - along * direction;
-    const V radius = V(T(1.001) + 3 * beam.growth) * (load<V>(&spheres.radius[begin]) + V(beam.radius)) +
-                     V(rounding + T(1.5) * beam.growth) * along;
+    const Vec3<Row> c = {load<Row>(&spheres.center.x[begin]), load<Row>(&spheres.center.y[begin]),
+                         load<Row>(&spheres.center.z[begin])};
+    const Vec3<Row> direction = spread<Row>(beam.direction);
+    const Vec3<Row> f = c - spread<Row>(beam.origin);
+    const Row along = least(greatest(dot(f, direction), Row(0)), Row(beam.length));
+    const Vec3<Row> apart = f - along * direction;
+    const Row radius = Row(T(1.001) + 3 * beam.growth) * (load<Row>(&spheres.radius[begin]) + Row(beam.radius)) +
+                       Row(rounding + T(1.5) * beam.growth) * along;
     return bits(!(dot(apart, apart) > radius * radius)) & there;
   }
 
@@ -404,7 +409,7 @@ class Tracer {
         if (!visit(i)) return;
       return;
     }
-    for (std::size_t i = begin; i < end; i += Lanes<V>::count)
+    for (std::size_t i = begin; i < end; i += Lanes<Row>::count)
       for (std::uint32_t near = reached(beam, i, end); near != 0; near &= near - 1)
         if (!visit(i + static_cast<std::size_t>(std::countr_zero(near)))) return;
   }
@@ -590,11 +595,11 @@ class Tracer {
     std::array<Whole, Lanes<V>::count> places;
     store(best.t, t.data());
     store(best.place, places.data());
-    std::array<float, 16> limits;
+    Limits<Lanes<V>::count> limits;
     const std::array<Probe, Lanes<V>::count> probes = probes_for(rays, bits(lanes), *group.hierarchy, t, limits);
     search_each(*group.hierarchy, probes, bits(lanes), limits,
                 [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
-                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<V>::count)
+                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count)
                     if (nearer_of_spheres(rays.ray(lane), i, t[lane], places[lane])) limits[lane] = as_limit(t[lane]);
                 });
     best.t = load<V>(t.data());
@@ -603,9 +608,8 @@ class Tracer {
 
   static std::array<Probe, Lanes<V>::count> probes_for(const Singles& rays, std::uint32_t lanes, const Hierarchy& hierarchy,
                                                        const std::array<T, Lanes<V>::count>& lengths,
-                                                       std::array<float, 16>& limits) {
+                                                       Limits<Lanes<V>::count>& limits) {
     std::array<Probe, Lanes<V>::count> probes;
-    limits.fill(-1);
     for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
       const Alone ray = rays.ray(lane);
@@ -615,26 +619,27 @@ class Tracer {
     return probes;
   }
 
-  /// As many of a leaf's spheres as there are lanes, from place i on. What stands behind the leaf is asked too: it does no
+  /// The spheres of a leaf from place i on, as many as a Row holds. What stands behind the leaf is asked too: it does no
   /// harm.
-  Meeting<V> meet_spheres(const Alone& ray, std::size_t i) const {
+  Meeting<Row> meet_spheres(const Alone& ray, std::size_t i) const {
     const Spheres<T>& spheres = scene_.spheres;
-    const Vec3<V> c = {load<V>(&spheres.center.x[i]), load<V>(&spheres.center.y[i]), load<V>(&spheres.center.z[i])};
-    const Vec3<V> o = spread<V>(ray.origin);
-    const Passing<V> passing = pass(o, spread<V>(ray.direction), c);
-    const Mask own = lane_numbers<V>() + place_of(i) == Index(ray.leaves);
-    const Mask asked = (passing.apart <= load<V>(&spheres.reach[i])) & !own;
-    if (none(asked)) return {asked, V(0), V(0), asked};
-    const V radius = load<V>(&spheres.radius[i]);
+    const Vec3<Row> c = {load<Row>(&spheres.center.x[i]), load<Row>(&spheres.center.y[i]), load<Row>(&spheres.center.z[i])};
+    const Vec3<Row> o = spread<Row>(ray.origin);
+    const Passing<Row> passing = pass(o, spread<Row>(ray.direction), c);
+    const MaskOf<Row> own =
+        lane_numbers<Row>() + IndexOf<Row>(plane_count_ + static_cast<Whole>(i)) == IndexOf<Row>(ray.leaves);
+    const MaskOf<Row> asked = (passing.apart <= load<Row>(&spheres.reach[i])) & !own;
+    if (none(asked)) return {asked, Row(0), Row(0), asked};
+    const Row radius = load<Row>(&spheres.radius[i]);
     return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(o, c, radius); });
   }
 
   /// Does the ray meet one of the spheres from place i on before `t`? Then that becomes the nearest one's distance, and
   /// `place` its place.
   bool nearer_of_spheres(const Alone& ray, std::size_t i, T& t, Whole& place) const {
-    const Meeting<V> meeting = meet_spheres(ray, i);
+    const Meeting<Row> meeting = meet_spheres(ray, i);
     if (none(meeting.met)) return false;
-    std::array<T, Lanes<V>::count> distances;
+    std::array<T, Lanes<Row>::count> distances;
     store(meeting.t, distances.data());
     const T before = t;
     for (std::uint32_t rest = bits(meeting.met); rest != 0; rest &= rest - 1) {
@@ -796,14 +801,14 @@ class Tracer {
     const Singles rays(shadow);
     std::array<T, Lanes<V>::count> distances;
     store(distance, distances.data());
-    std::array<float, 16> limits;
+    Limits<Lanes<V>::count> limits;
     const std::array<Probe, Lanes<V>::count> probes = probes_for(rays, bits(open), *group.hierarchy, distances, limits);
     std::uint32_t blocked = 0;
     search_each(*group.hierarchy, probes, bits(open), limits,
                 [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
-                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<V>::count) {
-                    const Meeting<V> meeting = meet_spheres(rays.ray(lane), i);
-                    if (none(meeting.met & (meeting.t < V(distances[lane])))) continue;
+                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count) {
+                    const Meeting<Row> meeting = meet_spheres(rays.ray(lane), i);
+                    if (none(meeting.met & (meeting.t < Row(distances[lane])))) continue;
                     blocked |= 1u << lane;
                     limits[lane] = -1;
                     return;
@@ -857,7 +862,19 @@ class Tracer {
     lanes = lanes & (reaches_pixel > V(0));
     if (none(lanes)) return;
     add(lanes, counter);
-    waiting_.push({ray, reaches_pixel, lanes, from.bounce + 1});
+    wait(ray, reaches_pixel, lanes, from.bounce + 1);
+  }
+
+  /// Part by part: compilers copy a large thing byte by byte.
+  RAYLAB_INLINE void wait(const Ray<V>& ray, V weight, Mask lanes, int bounce) {
+    Waiting& rays = waiting_.push();
+    rays.ray.origin = ray.origin;
+    rays.ray.direction = ray.direction;
+    rays.ray.leaves = ray.leaves;
+    rays.ray.inwards = ray.inwards;
+    rays.weight = weight;
+    rays.lanes = lanes;
+    rays.bounce = bounce;
   }
 
   static void add(Mask lanes, std::uint64_t& counter) { counter += count(lanes); }
