@@ -119,7 +119,7 @@ class HierarchyCheck {
     const fast::Hierarchy::Node& node = hierarchy_.nodes()[child.number()];
     for (std::size_t slot = 0; slot < fast::Hierarchy::width; ++slot) {
       Box box;
-      for (std::size_t plane = 0; plane < 6; ++plane) box[plane] = node.planes[plane][slot];
+      for (std::size_t plane = 0; plane < 6; ++plane) box[plane] = node.planes[plane / 3][plane % 3][slot];
       inside_.push_back(box);
       visit(node.child[slot], depth + 1);
       inside_.pop_back();

@@ -338,8 +338,8 @@ class NodeBuilder {
     for (std::size_t slot = 0; slot < Hierarchy::width; ++slot) {
       const Box box = slot < groups.size() ? groups[slot].box : Box{};
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        nodes_[number].planes[axis][slot] = box.low[axis];
-        nodes_[number].planes[3 + axis][slot] = box.high[axis];
+        nodes_[number].planes[0][axis][slot] = box.low[axis];
+        nodes_[number].planes[1][axis][slot] = box.high[axis];
       }
       if (slot < groups.size()) place(groups[slot].leaves, number, slot, level + 1);
     }
@@ -409,9 +409,10 @@ Hierarchy::Hierarchy(std::span<const Sphere> spheres, Numbers numbers, unsigned 
   std::vector<Leaf> leaves = cut_leaves({spheres, numbers, middle_}, keys, threads);
   for (std::size_t k = 0; k < keys.size(); ++k) order_[k] = sphere_number(keys[k]);
   nodes_ = build_nodes(leaves, threads);
-  for (const auto& plane : nodes_[0].planes)
-    for (const float place : plane)
-      if (std::abs(place) < infinity) extent_ = std::max(extent_, std::abs(place));
+  for (const auto& side : nodes_[0].planes)
+    for (const auto& plane : side)
+      for (const float place : plane)
+        if (std::abs(place) < infinity) extent_ = std::max(extent_, std::abs(place));
 }
 
 }  // namespace raylab::fast

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #define RAYLAB_TARGET scalar
 #define RAYLAB_INLINE inline

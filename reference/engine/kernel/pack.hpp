@@ -258,9 +258,30 @@ class Eight {
     }
     return mask;
   }
+  /// place[i] becomes the number of those of `met`, bit by bit, that are further than i, of nearly equal ones the later; for
+  /// one that is not met some place behind them. For distances that are not negative.
+  friend HWY_INLINE void places_by_distance(const Eight& distances, std::uint32_t met, std::array<std::int32_t, 8>& place) {
+    const KeyTag tag;
+    std::array<std::int32_t, 8> keys;
+    hn::Vec<KeyTag> key[parts], further[parts];
+    // The bits of a number as a whole number stand in the order of the numbers; the last three tell equal ones apart.
+    for (std::size_t i = 0; i < parts; ++i) {
+      const auto own = hn::Iota(tag, static_cast<std::int32_t>(i * lanes));
+      const auto here = hn::TestBit(hn::Set(tag, static_cast<std::int32_t>(met)), hn::Shl(hn::Set(tag, 1), own));
+      const auto rounded = hn::AndNot(hn::Set(tag, 7), hn::BitCast(tag, distances.raw_[i]));
+      key[i] = hn::IfThenElse(here, hn::Or(rounded, own), hn::Not(own));
+      hn::StoreU(key[i], tag, keys.data() + i * lanes);
+      further[i] = hn::Zero(tag);
+    }
+    for (const std::int32_t other : keys)
+      for (std::size_t i = 0; i < parts; ++i)
+        further[i] = hn::Sub(further[i], hn::VecFromMask(tag, hn::Gt(hn::Set(tag, other), key[i])));
+    for (std::size_t i = 0; i < parts; ++i) hn::StoreU(further[i], tag, place.data() + i * lanes);
+  }
 
  private:
   using PartTag = hn::CappedTag<float, 8>;
+  using KeyTag = hn::RebindToSigned<PartTag>;
   static constexpr std::size_t lanes = hn::MaxLanes(PartTag());
   static constexpr std::size_t parts = 8 / lanes;
 

@@ -171,6 +171,18 @@ class Eight {
     for (std::size_t i = 0; i < 8; ++i) mask |= static_cast<std::uint32_t>(a.numbers_[i] <= b.numbers_[i]) << i;
     return mask;
   }
+  /// place[i] becomes the number of those of `met`, bit by bit, that are further than i, of equal ones the later; for one
+  /// that is not met some place behind them.
+  friend void places_by_distance(const Eight& distances, std::uint32_t met, std::array<std::int32_t, 8>& place) {
+    const auto further = [&](std::size_t a, std::size_t b) {
+      const bool a_met = (met >> a & 1) != 0, b_met = (met >> b & 1) != 0;
+      return std::tuple(a_met, distances.numbers_[a], a) > std::tuple(b_met, distances.numbers_[b], b);
+    };
+    for (std::size_t i = 0; i < 8; ++i) {
+      place[i] = 0;
+      for (std::size_t k = 0; k < 8; ++k) place[i] += further(k, i) ? 1 : 0;
+    }
+  }
 
  private:
   template <class Function>

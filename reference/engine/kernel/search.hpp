@@ -2,44 +2,53 @@
 
 namespace raylab::fast::RAYLAB_TARGET {
 
-/// Tests a ray, or all that is within `radius` of it, against the boxes of a node, all eight at once.
+/// Tests rays, or all that is within `radius` of one, against the boxes of a node, all eight at once.
 ///
 /// The boxes are widened by the radius, and by what rounding can do to the ray, to the box and to the sphere test together,
 /// as far from the middle as the ray starts: whatever the sphere test would have called a hit, a box never hides. So the
 /// picture is the same, to the bit, with the hierarchy and without it.
-class Probe {
+template <std::size_t rays>
+class Probes {
  public:
-  Probe() = default;
+  template <class T>
+  using Vectors = std::array<std::array<T, rays>, 3>;  // x, y and z of all
 
   template <class T>
-  Probe(const Hierarchy& hierarchy, const Point<T>& origin, const Point<T>& direction, double radius) {
+  Probes(const Hierarchy& hierarchy, const Vectors<T>& origin, const Vectors<T>& direction, double radius) {
     constexpr float rounding = 0x1p-18f;
-    const std::array<double, 3>& middle = hierarchy.middle();
-    const std::array<float, 3> from = {static_cast<float>(origin.x - middle[0]), static_cast<float>(origin.y - middle[1]),
-                                       static_cast<float>(origin.z - middle[2])};
-    const std::array<float, 3> along = {static_cast<float>(direction.x), static_cast<float>(direction.y),
-                                        static_cast<float>(direction.z)};
-    const float farthest = std::max({hierarchy.extent(), std::abs(from[0]), std::abs(from[1]), std::abs(from[2])});
-    const float wider = static_cast<float>(radius) * (1 + rounding) + rounding * farthest;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool negative = along[axis] < 0;
-      // A component of 0, which has no reciprocal, is as good as 1e-18.
-      const float inverse = (negative ? -1 : 1) / std::max(std::abs(along[axis]), 1e-18f);
-      const float entry = negative ? -wider : wider;
-      axes_[axis] = {inverse, (from[axis] + entry) * inverse, (from[axis] - entry) * inverse,
-                     static_cast<std::uint32_t>(negative ? 3 + axis : axis),
-                     static_cast<std::uint32_t>(negative ? axis : 3 + axis)};
-    }
+    std::array<float, rays> farthest;
+    farthest.fill(hierarchy.extent());
+    std::array<std::array<float, rays>, 3> from;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < rays; ++i) {
+        from[axis][i] = static_cast<float>(origin[axis][i] - hierarchy.middle()[axis]);
+        farthest[i] = std::max(farthest[i], std::abs(from[axis][i]));
+      }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < rays; ++i) {
+        const float wider = static_cast<float>(radius) * (1 + rounding) + rounding * farthest[i];
+        const float along = static_cast<float>(direction[axis][i]);
+        // A component of 0, which has no reciprocal, is as good as 1e-18.
+        const float inverse = 1 / std::copysign(std::max(std::abs(along), 1e-18f), along);
+        const float entry = std::copysign(wider, along);
+        Axis& a = axes_[axis];
+        a.inverse[i] = inverse;
+        a.entry_start[i] = (from[axis][i] + entry) * inverse;
+        a.exit_start[i] = (from[axis][i] - entry) * inverse;
+        a.backwards[i] = std::bit_cast<std::uint32_t>(along) >> 31;
+      }
   }
 
-  /// Bit i: may there be something in the box of child i, at up to `limit`? `near` becomes the distance of that box, if it
-  /// was further.
-  RAYLAB_INLINE std::uint32_t boxes_met(const Hierarchy::Node& node, float limit, Eight& near) const {
+  /// Bit k: may there be something in the box of child k, at up to `limit` along ray i? `near` becomes the distance of that
+  /// box, if it was further.
+  RAYLAB_INLINE std::uint32_t boxes_met(std::size_t i, const Hierarchy::Node& node, float limit, Eight& near) const {
     Eight from(0.0f), to(limit);
-    for (const Axis& a : axes_) {
-      const Eight inverse(a.inverse);
-      from = greater(from, multiply_subtract(Eight::load(node.planes[a.entry]), inverse, Eight(a.entry_start)));
-      to = lesser(to, multiply_subtract(Eight::load(node.planes[a.exit]), inverse, Eight(a.exit_start)));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Axis& a = axes_[axis];
+      const Eight inverse(a.inverse[i]);
+      const std::size_t far = a.backwards[i];
+      from = greater(from, multiply_subtract(Eight::load(node.planes[far][axis]), inverse, Eight(a.entry_start[i])));
+      to = lesser(to, multiply_subtract(Eight::load(node.planes[1 - far][axis]), inverse, Eight(a.exit_start[i])));
     }
     near = lesser(near, where_at_most(from, to, from));
     return at_most(from, to);
@@ -47,8 +56,8 @@ class Probe {
 
  private:
   struct Axis {
-    float inverse, entry_start, exit_start;
-    std::uint32_t entry, exit;  ///< the planes that the ray crosses first and last
+    std::array<float, rays> inverse, entry_start, exit_start;
+    std::array<std::uint32_t, rays> backwards;  ///< 1: the ray crosses the planes where boxes end first
   };
 
   std::array<Axis, 3> axes_;
@@ -84,29 +93,42 @@ struct Waiting {
 class Stack {
  public:
   bool empty() const { return size_ == 0; }
-  const Waiting& pop() { return waiting_[--size_]; }
 
-  void push(const Hierarchy::Node& node, const Eight& distances, const std::array<std::uint32_t, 8>& lanes,
-            std::uint32_t met) {
+  Waiting pop() {
+    --size_;
+    return {near_[size_], lanes_[size_], child_[size_]};
+  }
+
+  /// The children of `met`, the nearest last. All eight are written, each in its place in that order, and those not met
+  /// behind it: a loop over few children would end in a surprise for the machine each time.
+  RAYLAB_INLINE void push(const Hierarchy::Node& node, const Eight& distances, const std::array<std::uint32_t, 8>& lanes,
+                          std::uint32_t met) {
     std::array<float, 8> near;
+    std::array<std::int32_t, 8> place;
     distances.store(near);
-    for (const std::size_t first = size_; met != 0; met &= met - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(met));
-      std::size_t at = size_++;
-      for (; at > first && waiting_[at - 1].near < near[i]; --at) waiting_[at] = waiting_[at - 1];
-      waiting_[at] = {near[i], lanes[i], node.child[i]};
+    places_by_distance(distances, met, place);
+    for (std::size_t i = 0; i < Hierarchy::width; ++i) {
+      const std::size_t at = size_ + static_cast<std::size_t>(place[i]);
+      near_[at] = near[i];
+      lanes_[at] = lanes[i];
+      child_[at] = node.child[i];
     }
+    size_ += static_cast<std::size_t>(std::popcount(met));
   }
 
  private:
-  std::array<Waiting, Hierarchy::deepest*(Hierarchy::width - 1) + Hierarchy::width> waiting_;
+  static constexpr std::size_t most = Hierarchy::deepest * (Hierarchy::width - 1) + 2 * Hierarchy::width;
+
+  std::array<float, most> near_;
+  std::array<std::uint32_t, most> lanes_;
+  std::array<Hierarchy::Child, most> child_;
   std::size_t size_ = 0;
 };
 
 /// For a beam. Calls leaf(begin, count), near ones first, for each leaf in whose box there may be something at up to the
 /// distance that the last call returned; at first `limit`. Ends when that is below 0.
 template <class Leaf>
-void search_together(const Hierarchy& hierarchy, const Probe& probe, float limit, Leaf leaf) {
+void search_together(const Hierarchy& hierarchy, const Probes<1>& probe, float limit, Leaf leaf) {
   constexpr std::array<std::uint32_t, 8> lanes{};
   Stack stack;
   Hierarchy::Child next = Hierarchy::Child::node(0);
@@ -116,13 +138,13 @@ void search_together(const Hierarchy& hierarchy, const Probe& probe, float limit
     else {
       const Hierarchy::Node& node = hierarchy.nodes()[next.number()];
       Eight near(std::numeric_limits<float>::infinity());
-      const std::uint32_t met = probe.boxes_met(node, limit, near);
+      const std::uint32_t met = probe.boxes_met(0, node, limit, near);
       stack.push(node, near, lanes, met);
     }
     float distance;
     do {
       if (stack.empty()) return;
-      const Waiting& top = stack.pop();
+      const Waiting top = stack.pop();
       distance = top.near;
       next = top.child;
     } while (distance > limit && limit >= 0);
@@ -133,7 +155,7 @@ void search_together(const Hierarchy& hierarchy, const Probe& probe, float limit
 /// the way of a single ray would be one long wait. Calls leaf(begin, count, lane) for each leaf in whose box the ray of
 /// `lane` may meet something at up to limits[lane], which that call may lower; below 0 the ray is done.
 template <std::size_t most_lanes, class Leaf>
-void search_each(const Hierarchy& hierarchy, const std::array<Probe, most_lanes>& probes, std::uint32_t lanes,
+void search_each(const Hierarchy& hierarchy, const Probes<most_lanes>& probes, std::uint32_t lanes,
                  Limits<most_lanes>& limits, Leaf leaf) {
   constexpr std::size_t rows = std::max<std::size_t>(16, most_lanes);  // what the smallest register holds
 
@@ -150,7 +172,7 @@ void search_each(const Hierarchy& hierarchy, const std::array<Probe, most_lanes>
       std::uint32_t met = 0;
       for (std::uint32_t rest = next.lanes; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-        const std::uint32_t here = probes[lane].boxes_met(node, limits[lane], near);
+        const std::uint32_t here = probes.boxes_met(lane, node, limits[lane], near);
         boxes[lane] = static_cast<std::uint8_t>(here);
         met |= here;
       }

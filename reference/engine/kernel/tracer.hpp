@@ -416,16 +416,17 @@ class Tracer {
 
   /// A hierarchy is searched for the rays of a pack together where they are some, and stay together; if they turn out to
   /// meet too many leaves, or are few, for each of them alone.
-  static constexpr std::size_t least_together = 3;
+  static constexpr std::size_t least_together = 6;
   static constexpr T widest_together = T(0.1);
-  static constexpr int most_leaves_together = 8;
+  static constexpr int most_leaves_together = 6;
 
-  static Probe probe_for(const Beam& beam, const Hierarchy& hierarchy) {
+  static Probes<1> probe_for(const Beam& beam, const Hierarchy& hierarchy) {
+    const auto [x, y, z] = beam.origin;
+    const auto [a, b, c] = beam.direction;
     const std::array<double, 3>& middle = hierarchy.middle();
-    const double to_middle = std::max(
-        {std::abs(beam.origin.x - middle[0]), std::abs(beam.origin.y - middle[1]), std::abs(beam.origin.z - middle[2])});
+    const double to_middle = std::max({std::abs(x - middle[0]), std::abs(y - middle[1]), std::abs(z - middle[2])});
     const double farthest = std::min<double>(beam.length, 2 * (to_middle + hierarchy.extent()));
-    return Probe(hierarchy, beam.origin, beam.direction, beam.radius + beam.growth * farthest);
+    return {hierarchy, Probes<1>::Vectors<T>{{{x}, {y}, {z}}}, {{{a}, {b}, {c}}}, beam.radius + beam.growth * farthest};
   }
 
   // ---- Intersections ------------------------------------------------------------------------------------------------
@@ -545,24 +546,28 @@ class Tracer {
   /// Takes rays out of their lanes.
   class Singles {
    public:
+    using Probes = raylab::fast::RAYLAB_TARGET::Probes<Lanes<V>::count>;
+
     explicit Singles(const Ray<V>& ray) {
-      store(ray.origin.x, numbers_[0].data());
-      store(ray.origin.y, numbers_[1].data());
-      store(ray.origin.z, numbers_[2].data());
-      store(ray.direction.x, numbers_[3].data());
-      store(ray.direction.y, numbers_[4].data());
-      store(ray.direction.z, numbers_[5].data());
+      store(ray.origin.x, origin_[0].data());
+      store(ray.origin.y, origin_[1].data());
+      store(ray.origin.z, origin_[2].data());
+      store(ray.direction.x, direction_[0].data());
+      store(ray.direction.y, direction_[1].data());
+      store(ray.direction.z, direction_[2].data());
       store(ray.leaves, leaves_.data());
     }
 
     Alone ray(std::size_t lane) const {
-      return {{numbers_[0][lane], numbers_[1][lane], numbers_[2][lane]},
-              {numbers_[3][lane], numbers_[4][lane], numbers_[5][lane]},
+      return {{origin_[0][lane], origin_[1][lane], origin_[2][lane]},
+              {direction_[0][lane], direction_[1][lane], direction_[2][lane]},
               leaves_[lane]};
     }
 
+    Probes probes(const Hierarchy& hierarchy) const { return {hierarchy, origin_, direction_, 0}; }
+
    private:
-    std::array<std::array<T, Lanes<V>::count>, 6> numbers_;
+    typename Probes::template Vectors<T> origin_, direction_;
     std::array<Whole, Lanes<V>::count> leaves_;
   };
 
@@ -595,9 +600,8 @@ class Tracer {
     std::array<Whole, Lanes<V>::count> places;
     store(best.t, t.data());
     store(best.place, places.data());
-    Limits<Lanes<V>::count> limits;
-    const std::array<Probe, Lanes<V>::count> probes = probes_for(rays, bits(lanes), *group.hierarchy, t, limits);
-    search_each(*group.hierarchy, probes, bits(lanes), limits,
+    Limits<Lanes<V>::count> limits = limits_of(bits(lanes), t);
+    search_each(*group.hierarchy, rays.probes(*group.hierarchy), bits(lanes), limits,
                 [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
                   for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count)
                     if (nearer_of_spheres(rays.ray(lane), i, t[lane], places[lane])) limits[lane] = as_limit(t[lane]);
@@ -606,17 +610,11 @@ class Tracer {
     best.place = load_index<V>(places.data());
   }
 
-  static std::array<Probe, Lanes<V>::count> probes_for(const Singles& rays, std::uint32_t lanes, const Hierarchy& hierarchy,
-                                                       const std::array<T, Lanes<V>::count>& lengths,
-                                                       Limits<Lanes<V>::count>& limits) {
-    std::array<Probe, Lanes<V>::count> probes;
-    for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-      const Alone ray = rays.ray(lane);
-      probes[lane] = Probe(hierarchy, ray.origin, ray.direction, 0);
-      limits[lane] = as_limit(lengths[lane]);
-    }
-    return probes;
+  static Limits<Lanes<V>::count> limits_of(std::uint32_t lanes, const std::array<T, Lanes<V>::count>& lengths) {
+    Limits<Lanes<V>::count> limits;
+    for (std::size_t lane = 0; lane < lengths.size(); ++lane)
+      limits[lane] = (lanes >> lane & 1) != 0 ? as_limit(lengths[lane]) : -1.0f;
+    return limits;
   }
 
   /// The spheres of a leaf from place i on, as many as a Row holds. What stands behind the leaf is asked too: it does no
@@ -801,10 +799,9 @@ class Tracer {
     const Singles rays(shadow);
     std::array<T, Lanes<V>::count> distances;
     store(distance, distances.data());
-    Limits<Lanes<V>::count> limits;
-    const std::array<Probe, Lanes<V>::count> probes = probes_for(rays, bits(open), *group.hierarchy, distances, limits);
+    Limits<Lanes<V>::count> limits = limits_of(bits(open), distances);
     std::uint32_t blocked = 0;
-    search_each(*group.hierarchy, probes, bits(open), limits,
+    search_each(*group.hierarchy, rays.probes(*group.hierarchy), bits(open), limits,
                 [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
                   for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count) {
                     const Meeting<Row> meeting = meet_spheres(rays.ray(lane), i);
