@@ -20,7 +20,7 @@ using Progress = std::function<void(double done)>;
 
 struct RenderTotals {
   RayCounts rays;
-  double trace_seconds = 0;             ///< that the threads spent in Engine::trace_rows, added up
+  double trace_seconds = 0;             ///< processor time of the threads in Engine::trace_rows, added up
   std::uint64_t non_finite_pixels = 0;  ///< pixels with a component that is no finite number: always a mistake somewhere
 };
 

@@ -71,7 +71,7 @@ struct Frame {
 
 // ---- Spheres in the order of a space-filling curve ---------------------------------------------------------------------
 
-/// The corners of the box of the spheres' centres.
+/// The corners of the box of the spheres' centers.
 struct Bounds {
   Double3 low, high;
 };
@@ -254,7 +254,7 @@ struct Group {
   }
 };
 
-/// Where to divide a group: its leaves with centres in bins up to `bin` along `axis` go to the left.
+/// Where to divide a group: its leaves with centers in bins up to `bin` along `axis` go to the left.
 struct Cut {
   double cost = std::numeric_limits<double>::infinity();
   std::size_t axis = 0;

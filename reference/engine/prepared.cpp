@@ -116,7 +116,7 @@ class SphereList {
 double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// The spheres that a hierarchy should not have: those that floats cannot hold, and, up to eight of them, the largest whose
-/// radius is beyond half of what all centres span: a box around such a ground would be a box around everything.
+/// radius is beyond half of what all centers span: a box around such a ground would be a box around everything.
 std::vector<std::uint32_t> giants_of(std::span<const Sphere> spheres) {
   constexpr std::size_t most = 8;
   Vec3 low(largest_in_hierarchy), high(-largest_in_hierarchy);

@@ -98,7 +98,7 @@ struct PreparedDirectionalLight {
   Sides sides;
 };
 
-/// Where primary rays come from: the ray through (x, y), in pixels from the image's centre, runs along
+/// Where primary rays come from: the ray through (x, y), in pixels from the image's center, runs along
 /// forward + x right + y up.
 template <class T>
 struct PreparedCamera {

@@ -57,7 +57,7 @@ struct Refracted {
   Vec3<V> direction;
 };
 
-/// Through a sphere of centre `c`, in and out, in closed form: the exit point is opposite in the plane of incidence, and the
+/// Through a sphere of center `c`, in and out, in closed form: the exit point is opposite in the plane of incidence, and the
 /// ray is turned by g towards each of the two normals alike.
 template <class V>
 RAYLAB_INLINE Refracted<V> through_sphere(const Refraction<V>& in, const Vec3<V>& d, const Vec3<V>& n, const Vec3<V>& c,

@@ -10,13 +10,13 @@ RAYLAB_INLINE V plane_distance(const Vec3<V>& o, const Vec3<V>& d, const Vec3<V>
   return select(slope == V(0), V(-1), dot(c - o, n) / slope);
 }
 
-/// How a ray's line passes the centre of a sphere. The foot is the point of the line nearest the centre, and `perp` the
+/// How a ray's line passes the center of a sphere. The foot is the point of the line nearest the center, and `perp` the
 /// vector to it from there. Measured so, a far and small sphere keeps its radius, which the textbook's b^2 - 4ac loses to
 /// cancellation.
 template <class V>
 struct Passing {
   V b;           ///< (o - c).d: minus the distance from the origin to the foot
-  Vec3<V> perp;  ///< from the centre to the foot
+  Vec3<V> perp;  ///< from the center to the foot
   V apart;       ///< |perp|^2
 };
 

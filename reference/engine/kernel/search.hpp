@@ -192,4 +192,13 @@ float as_limit(T t) {
   return static_cast<float>(t) * (1 + 0x1p-19f);
 }
 
+/// Those of `lanes`, bit by bit; the others end at once.
+template <class T, std::size_t count>
+Limits<count> limits_of(std::uint32_t lanes, const std::array<T, count>& lengths) {
+  Limits<count> limits;
+  for (std::size_t lane = 0; lane < lengths.size(); ++lane)
+    limits[lane] = (lanes >> lane & 1) != 0 ? as_limit(lengths[lane]) : -1.0f;
+  return limits;
+}
+
 }  // namespace raylab::fast::RAYLAB_TARGET

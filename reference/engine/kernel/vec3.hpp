@@ -13,6 +13,11 @@ struct Vec3 {
   friend RAYLAB_INLINE Vec3 operator*(V s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
 };
 
+template <class V>
+RAYLAB_INLINE Vec3<V> zero() {
+  return {V(0), V(0), V(0)};
+}
+
 /// The same vector in every lane.
 template <class V>
 RAYLAB_INLINE Vec3<V> spread(const Point<NumberOf<V>>& a) {

@@ -1,0 +1,72 @@
+// Part of the kernel; kernel/parts.hpp says how the parts are put together.
+
+namespace raylab::fast::RAYLAB_TARGET {
+
+/// A ball around points: within `radius` of the one in lane `first`.
+template <class T>
+struct Area {
+  std::size_t first;
+  Point<T> middle;
+  T radius;
+};
+
+/// All that is within a distance of a segment, which is `radius` where that starts, and grows.
+template <class T>
+struct Beam {
+  Point<T> origin, direction;
+  T radius;
+  T growth;  ///< for each unit of length
+  T length;
+};
+
+template <class V>
+RAYLAB_INLINE NumberOf<V> lane(V a, std::size_t i) {
+  std::array<NumberOf<V>, Lanes<V>::count> numbers;
+  store(a, numbers.data());
+  return numbers[i];
+}
+
+template <class V>
+RAYLAB_INLINE Point<NumberOf<V>> lane(const Vec3<V>& a, std::size_t i) {
+  return {lane(a.x, i), lane(a.y, i), lane(a.z, i)};
+}
+
+template <class V>
+RAYLAB_INLINE NumberOf<V> greatest_distance(const Vec3<V>& from, const Point<NumberOf<V>>& to, MaskOf<V> lanes) {
+  const Vec3<V> apart = from - spread<V>(to);
+  return std::sqrt(greatest_lane(select(lanes, dot(apart, apart), V(0))));
+}
+
+template <class V>
+RAYLAB_INLINE Area<NumberOf<V>> area_of(const Vec3<V>& points, MaskOf<V> lanes) {
+  // One from the middle of the tile, if there is one.
+  constexpr std::uint32_t inner = Lanes<V>::count == 32   ? 0x3c3c00
+                                  : Lanes<V>::count == 16 ? 0x0660
+                                  : Lanes<V>::count == 8  ? 0x66
+                                                          : ~0u;
+  const std::uint32_t all = bits(lanes);
+  const auto first = static_cast<std::size_t>(std::countr_zero((all & inner) != 0 ? all & inner : all));
+  const Point<NumberOf<V>> middle = lane(points, first);
+  return {first, middle, greatest_distance(points, middle, lanes)};
+}
+
+template <class V>
+RAYLAB_INLINE Beam<NumberOf<V>> beam_of(const Ray<V>& ray, MaskOf<V> lanes, V limit) {
+  const Area<NumberOf<V>> start = area_of(ray.origin, lanes);
+  const Point<NumberOf<V>> direction = lane(ray.direction, start.first);
+  return {start.middle, direction, start.radius, greatest_distance(ray.direction, direction, lanes),
+          greatest_lane(select(lanes, limit, V(0)))};
+}
+
+/// Of shadow rays that start in an area and run along `l` for `distance`: towards a point, or in parallel. The lane of
+/// area.first may be so near the light that `l` is no direction; then there is only the area.
+template <class V>
+RAYLAB_INLINE Beam<NumberOf<V>> beam_of(const Area<NumberOf<V>>& area, const Vec3<V>& l, V distance) {
+  using T = NumberOf<V>;
+  Beam<T> beam = {area.middle, lane(l, area.first), area.radius, 0, lane(distance, area.first)};
+  const auto [x, y, z] = beam.direction;
+  if (!(x * x + y * y + z * z < T(2))) beam.direction = {};
+  return beam;
+}
+
+}  // namespace raylab::fast::RAYLAB_TARGET

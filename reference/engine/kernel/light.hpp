@@ -1,0 +1,72 @@
+// Part of the kernel; kernel/parts.hpp says how the parts are put together.
+
+namespace raylab::fast::RAYLAB_TARGET {
+
+/// All light that surfaces send back, but for what mirrors and glass show.
+template <class V>
+class Lighting {
+ public:
+  using T = NumberOf<V>;
+  using Mask = MaskOf<V>;
+  using Index = IndexOf<V>;
+  using Whole = WholeOf<V>;
+
+  explicit Lighting(const Prepared<T>& scene) : scene_(scene), shadows_(scene) {}
+
+  /// All the light that surfaces send back against `d`, but for their colors.
+  V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
+    V sum(scene_.ambient);
+    const Area<T> area = area_of(hit.point, lit);
+    for (const PreparedPointLight<T>& light : scene_.point_lights) {
+      const Vec3<V> way = spread<V>(light.position) - hit.point;
+      const V r = square_root(dot(way, way));
+      // One division for both 1/r and 1/(1 + r).
+      const V beyond = V(1) + r;
+      const V inverse = V(1) / (r * beyond);
+      const V fall_off = inverse * r;
+      const Seen<V> seen = {(inverse * beyond) * way, r, light.sides};
+      const V strength = V(light.intensity) * (fall_off * fall_off);
+      sum = sum + light_from(seen, strength, hit, area, d, look, lit & (r > V(0)), counts);
+    }
+    for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {
+      const Seen<V> seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.sides};
+      sum = sum + light_from(seen, V(light.intensity), hit, area, d, look, lit, counts);
+    }
+    return sum;
+  }
+
+ private:
+  /// 0 where the light is not seen; from so far away that distances are infinite, it is not.
+  RAYLAB_INLINE V light_from(const Seen<V>& light, V strength, const Hit<V>& hit, const Area<T>& area, const Vec3<V>& d,
+                             const Look<V>& look, Mask lit, RayCounts& counts) const {
+    const V cosine = dot(light.l, hit.normal);
+    lit = lit & (cosine > V(0));
+    if (scene_.features.lights_in_planes) lit = lit & !in_own_plane(hit, light.sides);
+    if (none(lit)) return V(0);
+    if (scene_.features.shadows) {
+      counts.shadow += count(lit);
+      lit = shadows_.unblocked(hit, area, light, lit);
+      if (none(lit)) return V(0);
+    }
+    const V shown = scene_.features.highlights ? cosine + shine(light, hit, d, look, lit) : cosine;
+    return select(lit, shown * strength, V(0));
+  }
+
+  V shine(const Seen<V>& light, const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit) const {
+    const V k_s = look.strength;
+    return k_s * highlight(lit & (k_s > V(0)), light.l, hit.normal, -d, look.alpha);
+  }
+
+  /// Is the light in the very plane that it would light? The rounded cosine is not 0 then, and may be above it.
+  Mask in_own_plane(const Hit<V>& hit, const Sides& sides) const {
+    Mask in = mask_of<V>(0);
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      if (sides[i] == 0) in = in | (hit.place == Index(static_cast<Whole>(i)));
+    return in;
+  }
+
+  const Prepared<T>& scene_;
+  const ShadowSearch<V> shadows_;
+};
+
+}  // namespace raylab::fast::RAYLAB_TARGET

@@ -1,0 +1,183 @@
+// Part of the kernel; kernel/parts.hpp says how the parts are put together.
+
+namespace raylab::fast::RAYLAB_TARGET {
+
+/// Finds the nearest surfaces that rays meet, and where.
+template <class V>
+class NearestSearch {
+ public:
+  using T = NumberOf<V>;
+  using Mask = MaskOf<V>;
+  using Index = IndexOf<V>;
+  using Whole = WholeOf<V>;
+
+  explicit NearestSearch(const Prepared<T>& scene) : scene_(scene), spheres_(scene) {}
+
+  Nearest<V> nearest_surface(const Ray<V>& ray, Mask lanes) const {
+    Nearest<V> best = {V(std::numeric_limits<T>::infinity()), Index(-1)};
+    for (std::size_t i = 0; i < scene_.planes.point.size(); ++i) {
+      const V t =
+          plane_distance(ray.origin, ray.direction, spread<V>(scene_.planes.point[i]), spread<V>(scene_.planes.normal[i]));
+      const Index place(static_cast<Whole>(i));
+      const Mask closer = lanes & (t >= V(0)) & (t < best.t) & !(ray.leaves == place);
+      best.t = select(closer, t, best.t);
+      best.place = select(closer, place, best.place);
+    }
+    if (any(ray.inwards)) meet_own_sphere(ray, lanes & ray.inwards, best);
+    if (scene_.spheres.count > 0) nearest_sphere(ray, lanes, best);
+    return best;
+  }
+
+  /// The point and the normal that the rays of `met` have reached.
+  Hit<V> hit_at(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask met) const {
+    Hit<V> hit;
+    hit.normal = hit.center = zero<V>();
+    hit.radius = V(0);
+    hit.place = nearest.place;
+    hit.point = ray.origin + nearest.t * ray.direction;
+    hit.inside = mask_of<V>(0);
+    const Mask spheres = met & (nearest.place >= Index(spheres_.plane_count()));
+    if (any(spheres)) on_sphere(ray, nearest, places, spheres, hit);
+    for (std::size_t i = 0; i < scene_.planes.normal.size(); ++i) {
+      const Mask here = met & (nearest.place == Index(static_cast<Whole>(i)));
+      if (none(here)) continue;
+      const Vec3<V> normal = spread<V>(scene_.planes.normal[i]);
+      hit.normal = select(here, select(dot(normal, ray.direction) > V(0), -normal, normal), hit.normal);
+    }
+    return hit;
+  }
+
+ private:
+  using Row = typename SphereSearch<V>::Row;
+
+  /// To ask so many is faster than to find out which ones a beam reaches.
+  static constexpr std::size_t few_spheres = 8;
+
+  void nearest_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
+    if (scene_.spheres.count <= few_spheres) {
+      for (const SphereGroup* group : {&scene_.spheres.opaque, &scene_.spheres.glass})
+        for (std::size_t i = group->begin; i < group->loop_end; ++i) meet_sphere(ray, lanes, i, best);
+      return;
+    }
+    const Beam<T> beam = beam_of(ray, lanes, best.t);
+    for (const SphereGroup* group : {&scene_.spheres.opaque, &scene_.spheres.glass}) {
+      spheres_.for_each_reached(beam, group->begin, group->loop_end, [&](std::size_t i) RAYLAB_ATTRIBUTE {
+        meet_sphere(ray, lanes, i, best);
+        return true;
+      });
+      if (group->hierarchy) search_nearest(ray, lanes, beam, *group, best);
+    }
+  }
+
+  void meet_own_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
+    const V t = far_side(pass(ray.origin, ray.direction, spheres_.centers(spheres_.sphere_of(ray.leaves, lanes))));
+    update(lanes, t, ray.leaves, best);
+  }
+
+  RAYLAB_INLINE void meet_sphere(const Ray<V>& ray, Mask lanes, std::size_t i, Nearest<V>& best) const {
+    const Passing<V> passing = pass(ray.origin, ray.direction, spheres_.center(i));
+    const Mask asked = spheres_.may_meet(ray.leaves, lanes, i, passing, best.t);
+    if (none(asked)) return;
+    const Meeting<V> meeting = spheres_.meet_one(ray.origin, asked, passing, i);
+    update(meeting.met, meeting.t, spheres_.place_of(i), best);
+  }
+
+  /// The nearer one wins; of equal t the one that stands first in the scene (D7).
+  void update(Mask met, V t, Index place, Nearest<V>& best) const {
+    Mask closer = met & (t < best.t);
+    const Mask tied = met & (t == best.t);
+    if (any(tied)) [[unlikely]]
+      closer = closer | (tied & stands_before(tied, place, best.place));
+    best.t = select(closer, t, best.t);
+    best.place = select(closer, place, best.place);
+  }
+
+  Mask stands_before(Mask lanes, Index a, Index b) const {
+    std::array<Whole, Lanes<V>::count> places_a, places_b;
+    store(a, places_a.data());
+    store(b, places_b.data());
+    std::uint32_t before = 0;
+    for (std::uint32_t rest = bits(lanes); rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+      if (id_of(places_a[lane]) < id_of(places_b[lane])) before |= 1u << lane;
+    }
+    return mask_of<V>(before);
+  }
+
+  GeometryId id_of(Whole place) const {
+    return place < spheres_.plane_count() ? static_cast<GeometryId>(place)
+                                          : scene_.spheres.id[static_cast<std::size_t>(place - spheres_.plane_count())];
+  }
+
+  void search_nearest(const Ray<V>& ray, Mask lanes, const Beam<T>& beam, const SphereGroup& group, Nearest<V>& best) const {
+    const auto limit = [&]() RAYLAB_ATTRIBUTE { return as_limit(greatest_lane(select(lanes, best.t, V(-1)))); };
+    const auto visit = [&](std::size_t i) RAYLAB_ATTRIBUTE {
+      meet_sphere(ray, lanes, i, best);
+      return true;
+    };
+    if (!spheres_.search_beam(group, beam, lanes, limit, visit)) search_nearest_each(ray, lanes, group, best);
+  }
+
+  void search_nearest_each(const Ray<V>& ray, Mask lanes, const SphereGroup& group, Nearest<V>& best) const {
+    const Singles<V> rays(ray);
+    std::array<T, Lanes<V>::count> t;
+    std::array<Whole, Lanes<V>::count> places;
+    store(best.t, t.data());
+    store(best.place, places.data());
+    Limits<Lanes<V>::count> limits = limits_of(bits(lanes), t);
+    search_each(*group.hierarchy, rays.probes(*group.hierarchy), bits(lanes), limits,
+                [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
+                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count)
+                    if (nearer_of_spheres(rays.ray(lane), i, t[lane], places[lane])) limits[lane] = as_limit(t[lane]);
+                });
+    best.t = load<V>(t.data());
+    best.place = load_index<V>(places.data());
+  }
+
+  /// Does the ray meet one of the spheres from place i on before `t`? Then that becomes the nearest one's distance, and
+  /// `place` its place.
+  bool nearer_of_spheres(const Alone<T>& ray, std::size_t i, T& t, Whole& place) const {
+    const Meeting<Row> meeting = spheres_.meet_spheres(ray, i);
+    if (none(meeting.met)) return false;
+    std::array<T, Lanes<Row>::count> distances;
+    store(meeting.t, distances.data());
+    const T before = t;
+    for (std::uint32_t rest = bits(meeting.met); rest != 0; rest &= rest - 1) {
+      const int lane = std::countr_zero(rest);
+      const T here = distances[static_cast<std::size_t>(lane)];
+      const Whole candidate = spheres_.plane_count() + static_cast<Whole>(i) + lane;
+      if (here < t || (here == t && id_of(candidate) < id_of(place))) {
+        t = here;
+        place = candidate;
+      }
+    }
+    return t < before;
+  }
+
+  /// The vector from the center is put together from the foot and half the chord, not from the point and the center: far
+  /// away these two are too close to each other.
+  void on_sphere(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask lanes, Hit<V>& hit) const {
+    if (places.same()) {
+      const std::size_t sphere = places.common() - static_cast<std::size_t>(spheres_.plane_count());
+      hit.center = spheres_.center(sphere);
+      hit.radius = V(scene_.spheres.radius[sphere]);
+    } else {
+      const Index sphere = spheres_.sphere_of(places.each(), lanes);
+      hit.center = spheres_.centers(sphere);
+      hit.radius = gather(scene_.spheres.radius.data(), sphere);
+    }
+    const Passing<V> passing = pass(ray.origin, ray.direction, hit.center);
+    const Meeting<V> meeting = meet(lanes, passing, hit.radius,
+                                    [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(ray.origin, hit.center, hit.radius); });
+    const Mask own = lanes & ray.inwards & (ray.leaves == nearest.place);
+    hit.inside = lanes & (own | meeting.inside);
+    const V along = select(own, nearest.t + passing.b, select(meeting.inside, meeting.half, -meeting.half));
+    const Vec3<V> outwards = (V(1) / hit.radius) * (passing.perp + along * ray.direction);
+    hit.normal = straightened(select(hit.inside, -outwards, outwards));
+  }
+
+  const Prepared<T>& scene_;
+  const SphereSearch<V> spheres_;
+};
+
+}  // namespace raylab::fast::RAYLAB_TARGET

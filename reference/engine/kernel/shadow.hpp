@@ -1,0 +1,99 @@
+// Part of the kernel; kernel/parts.hpp says how the parts are put together.
+
+namespace raylab::fast::RAYLAB_TARGET {
+
+/// A light as points see it.
+template <class V>
+struct Seen {
+  Vec3<V> l;  ///< unit, towards the light
+  V distance;
+  const Sides& sides;
+};
+
+/// Finds out which points see a light.
+template <class V>
+class ShadowSearch {
+ public:
+  using T = NumberOf<V>;
+  using Mask = MaskOf<V>;
+  using Index = IndexOf<V>;
+  using Whole = WholeOf<V>;
+
+  explicit ShadowSearch(const Prepared<T>& scene) : scene_(scene), spheres_(scene) {}
+
+  /// Those of `asked` that nothing opaque hides from the light.
+  RAYLAB_INLINE Mask unblocked(const Hit<V>& hit, const Area<T>& area, const Seen<V>& light, Mask asked) const {
+    Mask open = not_behind_planes(hit, light.sides, asked);
+    const SphereGroup& opaque = scene_.spheres.opaque;
+    const Mask inside = open & hit.inside & (hit.place < spheres_.place_of(scene_.spheres.glass.begin));
+    if (any(inside)) open = open & !(inside & far_side_blocks(hit, light, inside));
+    const Beam<T> beam = beam_of(area, light.l, light.distance);
+    spheres_.for_each_reached(beam, opaque.begin, opaque.loop_end, [&](std::size_t i) RAYLAB_ATTRIBUTE {
+      open = open & !blocked_by(hit, light, open, i);
+      return any(open);
+    });
+    if (opaque.hierarchy && any(open)) open = search_unblocked(hit, light, beam, open);
+    return open;
+  }
+
+ private:
+  using Row = typename SphereSearch<V>::Row;
+
+  Mask not_behind_planes(const Hit<V>& hit, const Sides& sides, Mask asked) const {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (sides[i] == 0) continue;
+      const V side = dot(spread<V>(scene_.planes.point[i]) - hit.point, spread<V>(scene_.planes.normal[i]));
+      const Mask behind = (sides[i] > 0 ? side <= V(0) : side >= V(0)) & !(hit.place == Index(static_cast<Whole>(i)));
+      asked = asked & !behind;
+    }
+    return asked;
+  }
+
+  Mask far_side_blocks(const Hit<V>& hit, const Seen<V>& light, Mask lanes) const {
+    return far_side(pass(hit.point, light.l, spheres_.centers(spheres_.sphere_of(hit.place, lanes)))) < light.distance;
+  }
+
+  RAYLAB_INLINE Mask blocked_by(const Hit<V>& hit, const Seen<V>& light, Mask open, std::size_t i) const {
+    const Passing<V> passing = pass(hit.point, light.l, spheres_.center(i));
+    const Mask asked = spheres_.may_meet(hit.place, open, i, passing, light.distance);
+    if (none(asked)) return asked;
+    const Meeting<V> meeting = spheres_.meet_one(hit.point, asked, passing, i);
+    return meeting.met & (meeting.t < light.distance);
+  }
+
+  Mask search_unblocked(const Hit<V>& hit, const Seen<V>& light, const Beam<T>& beam, Mask open) const {
+    const float longest = as_limit(greatest_lane(select(open, light.distance, V(-1))));
+    const auto limit = [&]() RAYLAB_ATTRIBUTE { return any(open) ? longest : -1.0f; };
+    const auto visit = [&](std::size_t i) RAYLAB_ATTRIBUTE {
+      open = open & !blocked_by(hit, light, open, i);
+      return any(open);
+    };
+    if (spheres_.search_beam(scene_.spheres.opaque, beam, open, limit, visit) || none(open)) return open;
+    return search_unblocked_each({hit.point, light.l, hit.place, hit.inside}, light.distance, open);
+  }
+
+  Mask search_unblocked_each(const Ray<V>& shadow, V distance, Mask open) const {
+    const SphereGroup& group = scene_.spheres.opaque;
+    const Singles<V> rays(shadow);
+    std::array<T, Lanes<V>::count> distances;
+    store(distance, distances.data());
+    Limits<Lanes<V>::count> limits = limits_of(bits(open), distances);
+    std::uint32_t blocked = 0;
+    search_each(*group.hierarchy, rays.probes(*group.hierarchy), bits(open), limits,
+                [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
+                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count) {
+                    const Meeting<Row> meeting = spheres_.meet_spheres(rays.ray(lane), i);
+                    if (none(meeting.met & (meeting.t < Row(distances[lane])))) continue;
+                    blocked |= 1u << lane;
+                    limits[lane] = -1;
+                    return;
+                  }
+                });
+    return open & !mask_of<V>(blocked);
+  }
+
+  const Prepared<T>& scene_;
+  const SphereSearch<V> spheres_;
+};
+
+}  // namespace raylab::fast::RAYLAB_TARGET

@@ -1,0 +1,133 @@
+// Part of the kernel; kernel/parts.hpp says how the parts are put together.
+
+namespace raylab::fast::RAYLAB_TARGET {
+
+/// How rays, or a beam of them, meet the spheres of a scene: what the search for the nearest surface and the search for
+/// shadows share.
+template <class V>
+class SphereSearch {
+ public:
+  using T = NumberOf<V>;
+  using Mask = MaskOf<V>;
+  using Index = IndexOf<V>;
+  using Whole = WholeOf<V>;
+  using Row = SingleOf<V>;  ///< spheres side by side, that one ray or beam asks
+
+  explicit SphereSearch(const Prepared<T>& scene)
+      : scene_(scene), plane_count_(static_cast<Whole>(scene.planes.point.size())) {}
+
+  Whole plane_count() const { return plane_count_; }
+
+  Index place_of(std::size_t sphere) const { return Index(plane_count_ + static_cast<Whole>(sphere)); }
+
+  /// The place in Spheres of each lane's sphere; 0 in the lanes that have none.
+  Index sphere_of(Index place, Mask lanes) const {
+    return select(lanes & (place >= Index(plane_count_)), place - Index(plane_count_), Index(0));
+  }
+
+  Vec3<V> centers(Index sphere) const {
+    const PointArray<T>& center = scene_.spheres.center;
+    return {gather(center.x.data(), sphere), gather(center.y.data(), sphere), gather(center.z.data(), sphere)};
+  }
+
+  Vec3<V> center(std::size_t i) const { return spread<V>(scene_.spheres.center[i]); }
+
+  /// Lanes whose line passes sphere i closely enough, but for those that leave it, that have it behind them, or that have
+  /// met something nearer for certain.
+  RAYLAB_INLINE Mask may_meet(Index leaves, Mask lanes, std::size_t i, const Passing<V>& passing, V limit) const {
+    const V reach(scene_.spheres.reach[i]);
+    const Mask close = lanes & (passing.apart <= reach);
+    if (none(close)) return close;
+    const V radius(scene_.spheres.radius[i] * (1 + 256 * std::numeric_limits<T>::epsilon()));
+    const Mask ahead = (passing.b < V(0)) | (passing.b * passing.b + passing.apart <= reach);
+    return close & ahead & (-passing.b - radius <= limit) & !(leaves == place_of(i));
+  }
+
+  RAYLAB_INLINE Meeting<V> meet_one(const Vec3<V>& origin, Mask asked, const Passing<V>& passing, std::size_t i) const {
+    const V radius(scene_.spheres.radius[i]);
+    return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(origin, center(i), radius); });
+  }
+
+  /// The spheres of a leaf from place i on, as many as a Row holds. What stands behind the leaf is asked too: it does no
+  /// harm.
+  Meeting<Row> meet_spheres(const Alone<T>& ray, std::size_t i) const {
+    const Spheres<T>& spheres = scene_.spheres;
+    const Vec3<Row> c = {load<Row>(&spheres.center.x[i]), load<Row>(&spheres.center.y[i]), load<Row>(&spheres.center.z[i])};
+    const Vec3<Row> o = spread<Row>(ray.origin);
+    const Passing<Row> passing = pass(o, spread<Row>(ray.direction), c);
+    const MaskOf<Row> own =
+        lane_numbers<Row>() + IndexOf<Row>(plane_count_ + static_cast<Whole>(i)) == IndexOf<Row>(ray.leaves);
+    const MaskOf<Row> asked = (passing.apart <= load<Row>(&spheres.reach[i])) & !own;
+    if (none(asked)) return {asked, Row(0), Row(0), asked};
+    const Row radius = load<Row>(&spheres.radius[i]);
+    return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(o, c, radius); });
+  }
+
+  /// Calls visit(i) for the spheres from `begin` up to `end` that the beam reaches, until it returns false.
+  template <class Visit>
+  RAYLAB_INLINE void for_each_reached(const Beam<T>& beam, std::size_t begin, std::size_t end, Visit visit) const {
+    if (Lanes<V>::count == 1 || !(beam.growth < fastest_growth)) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (!visit(i)) return;
+      return;
+    }
+    for (std::size_t i = begin; i < end; i += Lanes<Row>::count)
+      for (std::uint32_t near = reached(beam, i, end); near != 0; near &= near - 1)
+        if (!visit(i + static_cast<std::size_t>(std::countr_zero(near)))) return;
+  }
+
+  /// Calls visit(i) for the spheres that the beam of `lanes` reaches, up to limit(), until that is below 0 or visit()
+  /// returns false. False: gave up, or did not begin.
+  template <class Limit, class Visit>
+  RAYLAB_INLINE bool search_beam(const SphereGroup& group, const Beam<T>& beam, Mask lanes, Limit limit, Visit visit) const {
+    if (count(lanes) < least_together || !(beam.growth < widest_together)) return false;
+    int leaves = most_leaves_together;
+    const auto leaf = [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
+      for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, visit);
+      return --leaves > 0 ? limit() : -1.0f;
+    };
+    search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(), leaf);
+    return leaves > 0;
+  }
+
+ private:
+  /// A hierarchy is searched for the rays of a pack together where they are some, and stay together; if they turn out to
+  /// meet too many leaves, or are few, for each of them alone.
+  static constexpr std::size_t least_together = 6;
+  static constexpr T widest_together = T(0.1);
+  static constexpr int most_leaves_together = 6;
+
+  /// Bit k: may a ray of the beam meet sphere begin + k, before `end`? A hit is at most 2 (R + radius) / (1 - growth)
+  /// further along than the sphere's center, and a beam that grows faster than this reaches everything.
+  static constexpr T fastest_growth = T(0.25);
+
+  std::uint32_t reached(const Beam<T>& beam, std::size_t begin, std::size_t end) const {
+    constexpr T rounding = 64 * std::numeric_limits<T>::epsilon();
+    const Spheres<T>& spheres = scene_.spheres;
+    const std::size_t left = end - begin;
+    const std::uint32_t there = left >= 32 ? ~0u : (1u << left) - 1;
+    const Vec3<Row> c = {load<Row>(&spheres.center.x[begin]), load<Row>(&spheres.center.y[begin]),
+                         load<Row>(&spheres.center.z[begin])};
+    const Vec3<Row> direction = spread<Row>(beam.direction);
+    const Vec3<Row> f = c - spread<Row>(beam.origin);
+    const Row along = least(greatest(dot(f, direction), Row(0)), Row(beam.length));
+    const Vec3<Row> apart = f - along * direction;
+    const Row radius = Row(T(1.001) + 3 * beam.growth) * (load<Row>(&spheres.radius[begin]) + Row(beam.radius)) +
+                       Row(rounding + T(1.5) * beam.growth) * along;
+    return bits(!(dot(apart, apart) > radius * radius)) & there;
+  }
+
+  static Probes<1> probe_for(const Beam<T>& beam, const Hierarchy& hierarchy) {
+    const auto [x, y, z] = beam.origin;
+    const auto [a, b, c] = beam.direction;
+    const std::array<double, 3>& middle = hierarchy.middle();
+    const double to_middle = std::max({std::abs(x - middle[0]), std::abs(y - middle[1]), std::abs(z - middle[2])});
+    const double farthest = std::min<double>(beam.length, 2 * (to_middle + hierarchy.extent()));
+    return {hierarchy, Probes<1>::Vectors<T>{{{x}, {y}, {z}}}, {{{a}, {b}, {c}}}, beam.radius + beam.growth * farthest};
+  }
+
+  const Prepared<T>& scene_;
+  const Whole plane_count_;
+};
+
+}  // namespace raylab::fast::RAYLAB_TARGET
