@@ -3,7 +3,12 @@
 
 // SSSE3 is too old to be worth its compile time, and AVX3_DL has nothing for us that AVX3 has not. A vector of SVE or RVV,
 // whose size is known at run time only, can be no member of a class.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#define RAYLAB_UNUSABLE (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // minutes for each target: one will do for one text
+#define HWY_DISABLED_TARGETS (RAYLAB_UNUSABLE | HWY_SSE4 | HWY_AVX3)
+#else
+#define HWY_DISABLED_TARGETS RAYLAB_UNUSABLE
+#endif
 #ifdef __SSSE3__  // the compiler was told which machine it is for: then that is the only one
 #define HWY_COMPILE_ONLY_STATIC
 #endif
