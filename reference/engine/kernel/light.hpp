@@ -16,7 +16,7 @@ class Lighting {
   /// All the light that surfaces send back against `d`, but for their colors.
   V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
     V sum(scene_.ambient);
-    const Area<T> area = area_of(hit.point, lit);
+    const Area<T> area = scene_.features.shadows ? area_of(hit.point, lit) : Area<T>{};
     for (const PreparedPointLight<T>& light : scene_.point_lights) {
       const Vec3<V> way = spread<V>(light.position) - hit.point;
       const V r = square_root(dot(way, way));

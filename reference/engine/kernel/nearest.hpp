@@ -57,8 +57,13 @@ class NearestSearch {
     if (scene_.spheres.count <= few_spheres) {
       for (const SphereGroup* group : {&scene_.spheres.opaque, &scene_.spheres.glass})
         for (std::size_t i = group->begin; i < group->loop_end; ++i) meet_sphere(ray, lanes, i, best);
-      return;
+    } else {
+      nearest_of_many(ray, lanes, best);
     }
+  }
+
+  /// Apart, so that few spheres need not keep registers for many.
+  [[gnu::noinline]] void nearest_of_many(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
     const Beam<T> beam = beam_of(ray, lanes, best.t);
     for (const SphereGroup* group : {&scene_.spheres.opaque, &scene_.spheres.glass}) {
       spheres_.for_each_reached(beam, group->begin, group->loop_end, [&](std::size_t i) RAYLAB_ATTRIBUTE {

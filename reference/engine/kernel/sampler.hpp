@@ -73,6 +73,7 @@ class Sampler {
   /// The mean of the samples of the pixels whose centers are at (x, y), not yet clamped.
   Vec3<V> pixel(V x, V y, Mask lanes) {
     if (scene_.adaptive) return adaptive_pixel(x, y, lanes);
+    if (scene_.samples.size() == 1) return primary(x, y, lanes);  // through the center
     Vec3<V> sum = zero<V>();
     for (const SampleOffset& offset : scene_.samples) sum = sum + sample(x, y, offset, lanes);
     return V(T(1) / static_cast<T>(scene_.samples.size())) * sum;
@@ -82,7 +83,7 @@ class Sampler {
     return primary(x + V(static_cast<T>(offset.dx)), y + V(static_cast<T>(offset.dy)), lanes);
   }
 
-  Vec3<V> adaptive_pixel(V x, V y, Mask lanes) {
+  [[gnu::noinline]] Vec3<V> adaptive_pixel(V x, V y, Mask lanes) {
     Vec3<V> sum = zero<V>(), least_seen = {V(1), V(1), V(1)}, greatest_seen = zero<V>();
     Mask agreed = lanes;
     for (std::size_t k = 0; k < deciding_samples; ++k) {
@@ -142,7 +143,7 @@ class Sampler {
     return load<V>(sums.data());
   }
 
-  Vec3<V> primary(V x, V y, Mask lanes) {
+  RAYLAB_INLINE Vec3<V> primary(V x, V y, Mask lanes) {
     counts_.primary += count(lanes);
     const PreparedCamera<T>& camera = scene_.camera;
     const Vec3<V> towards = spread<V>(camera.forward) + x * spread<V>(camera.right) + y * spread<V>(camera.up);

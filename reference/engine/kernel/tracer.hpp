@@ -53,9 +53,8 @@ class Tracer {
 
   /// The color at the end of primary rays. Glass splits a ray in two: those to come wait on a stack, which never holds more
   /// than one for each bounce.
-  Vec3<V> color(const Ray<V>& primary_rays, Mask lanes) {
-    Vec3<V> sum = zero<V>();
-    wait(primary_rays, V(1), lanes, 0);
+  RAYLAB_INLINE Vec3<V> color(const Ray<V>& primary_rays, Mask lanes) {
+    Vec3<V> sum = select(lanes, surface_color({primary_rays, V(1), lanes, 0}), zero<V>());
     while (!waiting_.empty()) {
       const Waiting& next = waiting_.pop();
       sum = select(next.lanes, sum + next.weight * surface_color(next), sum);
