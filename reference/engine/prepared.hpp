@@ -46,7 +46,7 @@ struct SphereGroup {
 /// where there is no sphere: numbers that are none, which no ray meets. So a pack may be loaded at every place.
 template <class T>
 struct Spheres {
-  static constexpr std::size_t padding = 32;
+  static constexpr std::size_t padding = 16;
 
   PointArray<T> center;
   std::vector<T> radius;

@@ -12,6 +12,7 @@ class SphereSearch {
   using Index = IndexOf<V>;
   using Whole = WholeOf<V>;
   using Row = SingleOf<V>;  ///< spheres side by side, that one ray or beam asks
+  static_assert(Lanes<Row>::count <= Spheres<T>::padding);
 
   explicit SphereSearch(const Prepared<T>& scene)
       : scene_(scene), plane_count_(static_cast<Whole>(scene.planes.point.size())) {}
