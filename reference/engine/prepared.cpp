@@ -55,18 +55,44 @@ std::int8_t sign_of_dot(const Vec3& a, const Vec3& b) {
   return static_cast<std::int8_t>(value > margin ? 1 : value < -margin ? -1 : 0);
 }
 
-Sides sides_of(const PointLight& light, const Scene& scene) {
-  Sides sides;
-  for (const PlaneObject& plane : scene.planes)
-    sides.push_back(sign_of_dot(plane.shape.point - light.position, unit(plane.shape.normal)));
-  return sides;
+/// On which side of the plane a point is, and a light from far away: 1 where the normal points to, -1, or 0 in the plane.
+int side_of(const Vec3& point, const Plane& plane) { return sign_of_dot(point - plane.point, unit(plane.normal)); }
+int side_of(const PointLight& light, const Plane& plane) { return side_of(light.position, plane); }
+int side_of(const DirectionalLight& light, const Plane& plane) {
+  return sign_of_dot(-unit(light.direction), unit(plane.normal));
 }
 
-Sides sides_of(const DirectionalLight& light, const Scene& scene) {
-  Sides sides;
-  for (const PlaneObject& plane : scene.planes)
-    sides.push_back(sign_of_dot(unit(light.direction), unit(plane.shape.normal)));
-  return sides;
+bool reaches_through(const Sphere& sphere, const Plane& plane) {
+  const Vec3 n = unit(plane.normal);
+  const int side = side_of(sphere.center, plane);
+  return side == 0 || side_of(sphere.center - (side * sphere.radius) * n, plane) == -side;
+}
+
+/// The side of a plane that all is on that can be seen: the camera's, since planes are opaque and have no end. 0: both,
+/// where glass reaches through (what is inside is passed by, D15), or where the camera is in the plane.
+int seen_side(const Plane& plane, const Scene& scene, bool glass) {
+  const auto through = [&](const Sphere& sphere) { return reaches_through(sphere, plane); };
+  if (glass) {
+    for (const SphereObject& sphere : scene.spheres)
+      if (sphere.material.transparent && through(sphere.shape)) return 0;
+    for (const SphereCloud& cloud : scene.clouds)
+      if (cloud.material.transparent && std::any_of(cloud.spheres.begin(), cloud.spheres.end(), through)) return 0;
+  }
+  return side_of(scene.camera.position, plane);
+}
+
+/// A light on the side that is seen is hidden from nothing there.
+template <class Light>
+LightPlanes planes_of(const Light& light, const Scene& scene, std::span<const int> seen_sides) {
+  LightPlanes planes;
+  for (std::size_t i = 0; i < scene.planes.size(); ++i) {
+    const int side = side_of(light, scene.planes[i].shape);
+    if (side == 0)
+      planes.around.push_back(static_cast<int>(i));
+    else if (side != seen_sides[i])
+      planes.between.push_back({static_cast<int>(i), side});
+  }
+  return planes;
 }
 
 /// A run of the scene's spheres that share a material: one [[sphere]], or a cloud.
@@ -203,17 +229,21 @@ class Builder {
           cloud.material);
     add_group(SphereList(std::move(opaque)), hierarchy, out_.spheres.opaque);
     add_group(SphereList(std::move(glass)), hierarchy, out_.spheres.glass);
+    resize(out_.spheres.radius.size() + Spheres<T>::padding);
   }
 
   void add_lights() {
     double ambient = 0;
     for (const AmbientLight& light : scene_.ambient_lights) ambient += light.intensity;
     out_.ambient = static_cast<T>(ambient);
+    std::vector<int> seen_sides;
+    for (const PlaneObject& plane : scene_.planes) seen_sides.push_back(seen_side(plane.shape, scene_, out_.features.glass));
     for (const PointLight& light : scene_.point_lights)
-      out_.point_lights.push_back({to<T>(light.position), static_cast<T>(light.intensity), sides_of(light, scene_)});
+      out_.point_lights.push_back(
+          {to<T>(light.position), static_cast<T>(light.intensity), planes_of(light, scene_, seen_sides)});
     for (const DirectionalLight& light : scene_.directional_lights)
       out_.directional_lights.push_back(
-          {to<T>(-unit(light.direction)), static_cast<T>(light.intensity), sides_of(light, scene_)});
+          {to<T>(-unit(light.direction)), static_cast<T>(light.intensity), planes_of(light, scene_, seen_sides)});
   }
 
   void note_features() {
@@ -223,10 +253,8 @@ class Builder {
       const T* const finish = &out_.finishes.numbers[row * finish_columns];
       features.highlights = features.highlights || finish[strength] > 0;
       features.mirrors = features.mirrors || finish[mirror] > 0;
+      features.glass = features.glass || finish[is_glass] > 0;
     }
-    const auto in_plane = [](const auto& light) { return std::count(light.sides.begin(), light.sides.end(), 0) > 0; };
-    features.lights_in_planes = std::any_of(out_.point_lights.begin(), out_.point_lights.end(), in_plane) ||
-                                std::any_of(out_.directional_lights.begin(), out_.directional_lights.end(), in_plane);
   }
 
  private:
@@ -270,9 +298,9 @@ class Builder {
     Spheres<T>& spheres = out_.spheres;
     group.begin = spheres.radius.size();
     group.loop_end = group.begin + order.looped;
-    group.hierarchy = std::move(order.hierarchy);
     spheres.count += list.size();
-    resize(group.begin + list.size() + Spheres<T>::padding);
+    resize(group.begin + list.size() + (order.hierarchy ? Spheres<T>::padding : 0));
+    group.hierarchy = std::move(order.hierarchy);
     constexpr std::size_t shares = 16;
     in_parallel(shares, threads_, [&](std::size_t i) {
       const Share share(list.size(), i, shares);
@@ -328,8 +356,8 @@ Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy
   Builder<T> builder(out, scene, threads);
   builder.add_planes();
   builder.add_spheres(hierarchy);
-  builder.add_lights();
   builder.note_features();
+  builder.add_lights();
   return out;
 }
 

@@ -42,8 +42,9 @@ struct SphereGroup {
   std::optional<Hierarchy> hierarchy;  ///< over the spheres from `loop_end` on, in their order
 };
 
-/// All spheres: first the opaque ones, which alone block light, then those of glass. Each group ends with `padding` places
-/// where there is no sphere: numbers that are none, which no ray meets. So a pack may be loaded at every place.
+/// All spheres: first the opaque ones, which alone block light, then those of glass. A group with a hierarchy ends with
+/// `padding` places where there is no sphere: numbers that are none, which no ray meets. So does the array as a whole: a
+/// pack may be loaded at every place, and what stands behind a leaf are spheres of its group, or none.
 template <class T>
 struct Spheres {
   static constexpr std::size_t padding = 16;
@@ -79,23 +80,32 @@ enum FinishColumn {
   finish_columns = 8
 };
 
-/// On which side of each plane a light is: the sign of (c - light).n, worked out once. A plane shades the points on its
-/// other side, so a lamp in a ceiling shines on all below: comparing the rounded distances of lamp and ceiling would be a
-/// toss-up.
-using Sides = std::vector<std::int8_t>;
+/// What planes mean to a light: on which side of each it is was worked out once, from the numbers as given. A plane shades
+/// the points on its other side, so a lamp in a ceiling shines on all below: comparing the rounded distances of lamp and
+/// ceiling would be a toss-up.
+struct LightPlanes {
+  /// A plane that may hide the light from a point that is seen, and the side of it that the light is on: the sign of
+  /// (light - c).n.
+  struct Between {
+    int plane;
+    int side;
+  };
+  std::vector<Between> between;
+  std::vector<int> around;  ///< planes that the light itself is in: it does not light them
+};
 
 template <class T>
 struct PreparedPointLight {
   Point<T> position;
   T intensity;
-  Sides sides;
+  LightPlanes planes;
 };
 
 template <class T>
 struct PreparedDirectionalLight {
   Point<T> l;  ///< unit, towards the light
   T intensity;
-  Sides sides;
+  LightPlanes planes;
 };
 
 /// Where primary rays come from: the ray through (x, y), in pixels from the image's center, runs along
@@ -109,8 +119,8 @@ struct PreparedCamera {
 struct Features {
   bool highlights = false;
   bool mirrors = false;
+  bool glass = false;
   bool shadows = false;
-  bool lights_in_planes = false;
 };
 
 /// More bounces no render is asked for.

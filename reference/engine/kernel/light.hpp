@@ -24,12 +24,12 @@ class Lighting {
       const V beyond = V(1) + r;
       const V inverse = V(1) / (r * beyond);
       const V fall_off = inverse * r;
-      const Seen<V> seen = {(inverse * beyond) * way, r, light.sides};
+      const Seen<V> seen = {(inverse * beyond) * way, r, light.planes};
       const V strength = V(light.intensity) * (fall_off * fall_off);
       sum = sum + light_from(seen, strength, hit, area, d, look, lit & (r > V(0)), counts);
     }
     for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {
-      const Seen<V> seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.sides};
+      const Seen<V> seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.planes};
       sum = sum + light_from(seen, V(light.intensity), hit, area, d, look, lit, counts);
     }
     return sum;
@@ -41,7 +41,7 @@ class Lighting {
                              const Look<V>& look, Mask lit, RayCounts& counts) const {
     const V cosine = dot(light.l, hit.normal);
     lit = lit & (cosine > V(0));
-    if (scene_.features.lights_in_planes) lit = lit & !in_own_plane(hit, light.sides);
+    for (const int plane : light.planes.around) lit = lit & !(hit.place == Index(static_cast<Whole>(plane)));
     if (none(lit)) return V(0);
     if (scene_.features.shadows) {
       counts.shadow += count(lit);
@@ -53,16 +53,8 @@ class Lighting {
   }
 
   V shine(const Seen<V>& light, const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit) const {
-    const V k_s = look.strength;
-    return k_s * highlight(lit & (k_s > V(0)), light.l, hit.normal, -d, look.alpha);
-  }
-
-  /// Is the light in the very plane that it would light? The rounded cosine is not 0 then, and may be above it.
-  Mask in_own_plane(const Hit<V>& hit, const Sides& sides) const {
-    Mask in = mask_of<V>(0);
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      if (sides[i] == 0) in = in | (hit.place == Index(static_cast<Whole>(i)));
-    return in;
+    const V k_s = look[strength];
+    return k_s * highlight(lit & (k_s > V(0)), light.l, hit.normal, -d, look[alpha]);
   }
 
   const Prepared<T>& scene_;

@@ -28,22 +28,26 @@ class NearestSearch {
     return best;
   }
 
+  /// The spheres of `lanes` that rays have met.
+  Ball<V> balls_at(const Places<V>& places, Mask lanes) const { return spheres_.balls_at(places, lanes); }
+
   /// The point and the normal that the rays of `met` have reached.
   Hit<V> hit_at(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask met) const {
     Hit<V> hit;
-    hit.normal = hit.center = zero<V>();
-    hit.radius = V(0);
     hit.place = nearest.place;
     hit.point = ray.origin + nearest.t * ray.direction;
-    hit.inside = mask_of<V>(0);
-    const Mask spheres = met & (nearest.place >= Index(spheres_.plane_count()));
-    if (any(spheres)) on_sphere(ray, nearest, places, spheres, hit);
-    for (std::size_t i = 0; i < scene_.planes.normal.size(); ++i) {
-      const Mask here = met & (nearest.place == Index(static_cast<Whole>(i)));
-      if (none(here)) continue;
-      const Vec3<V> normal = spread<V>(scene_.planes.normal[i]);
-      hit.normal = select(here, select(dot(normal, ray.direction) > V(0), -normal, normal), hit.normal);
+    if (scene_.planes.point.size() == 0) {
+      on_sphere(ray, nearest, places, met, hit);
+      return hit;
     }
+    const Mask spheres = met & (nearest.place >= Index(spheres_.plane_count()));
+    if (any(spheres)) {
+      on_sphere(ray, nearest, places, spheres, hit);
+    } else {
+      hit.normal = zero<V>();
+      hit.inside = mask_of<V>(0);
+    }
+    on_planes(ray, nearest, met, hit);
     return hit;
   }
 
@@ -55,8 +59,7 @@ class NearestSearch {
 
   void nearest_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
     if (scene_.spheres.count <= few_spheres) {
-      for (const SphereGroup* group : {&scene_.spheres.opaque, &scene_.spheres.glass})
-        for (std::size_t i = group->begin; i < group->loop_end; ++i) meet_sphere(ray, lanes, i, best);
+      for (std::size_t i = 0; i < scene_.spheres.count; ++i) meet_sphere(ray, lanes, i, best);
     } else {
       nearest_of_many(ray, lanes, best);
     }
@@ -162,23 +165,24 @@ class NearestSearch {
   /// The vector from the center is put together from the foot and half the chord, not from the point and the center: far
   /// away these two are too close to each other.
   void on_sphere(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask lanes, Hit<V>& hit) const {
-    if (places.same()) {
-      const std::size_t sphere = places.common() - static_cast<std::size_t>(spheres_.plane_count());
-      hit.center = spheres_.center(sphere);
-      hit.radius = V(scene_.spheres.radius[sphere]);
-    } else {
-      const Index sphere = spheres_.sphere_of(places.each(), lanes);
-      hit.center = spheres_.centers(sphere);
-      hit.radius = gather(scene_.spheres.radius.data(), sphere);
-    }
-    const Passing<V> passing = pass(ray.origin, ray.direction, hit.center);
-    const Meeting<V> meeting = meet(lanes, passing, hit.radius,
-                                    [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(ray.origin, hit.center, hit.radius); });
+    const Ball<V> ball = spheres_.balls_at(places, lanes);
+    const Passing<V> passing = pass(ray.origin, ray.direction, ball.center);
+    const Meeting<V> meeting = meet(lanes, passing, ball.radius,
+                                    [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(ray.origin, ball.center, ball.radius); });
     const Mask own = lanes & ray.inwards & (ray.leaves == nearest.place);
     hit.inside = lanes & (own | meeting.inside);
     const V along = select(own, nearest.t + passing.b, select(meeting.inside, meeting.half, -meeting.half));
-    const Vec3<V> outwards = (V(1) / hit.radius) * (passing.perp + along * ray.direction);
+    const Vec3<V> outwards = (V(1) / ball.radius) * (passing.perp + along * ray.direction);
     hit.normal = straightened(select(hit.inside, -outwards, outwards));
+  }
+
+  void on_planes(const Ray<V>& ray, const Nearest<V>& nearest, Mask met, Hit<V>& hit) const {
+    for (std::size_t i = 0; i < scene_.planes.normal.size(); ++i) {
+      const Mask here = met & (nearest.place == Index(static_cast<Whole>(i)));
+      if (none(here)) continue;
+      const Vec3<V> normal = spread<V>(scene_.planes.normal[i]);
+      hit.normal = select(here, select(dot(normal, ray.direction) > V(0), -normal, normal), hit.normal);
+    }
   }
 
   const Prepared<T>& scene_;

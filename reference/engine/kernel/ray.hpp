@@ -26,8 +26,6 @@ struct Hit {
   Vec3<V> normal;  ///< unit, turned to the ray's side
   IndexOf<V> place;
   MaskOf<V> inside;  ///< met from the inside of a sphere
-  Vec3<V> center;    ///< of the sphere
-  V radius;
 };
 
 /// One lane's ray.

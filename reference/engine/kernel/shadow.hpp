@@ -7,7 +7,7 @@ template <class V>
 struct Seen {
   Vec3<V> l;  ///< unit, towards the light
   V distance;
-  const Sides& sides;
+  const LightPlanes& planes;
 };
 
 /// Finds out which points see a light.
@@ -23,7 +23,7 @@ class ShadowSearch {
 
   /// Those of `asked` that nothing opaque hides from the light.
   RAYLAB_INLINE Mask unblocked(const Hit<V>& hit, const Area<T>& area, const Seen<V>& light, Mask asked) const {
-    Mask open = not_behind_planes(hit, light.sides, asked);
+    Mask open = not_behind_planes(hit, light.planes, asked);
     const SphereGroup& opaque = scene_.spheres.opaque;
     const Mask inside = open & hit.inside & (hit.place < spheres_.place_of(scene_.spheres.glass.begin));
     if (any(inside)) open = open & !(inside & far_side_blocks(hit, light, inside));
@@ -39,11 +39,11 @@ class ShadowSearch {
  private:
   using Row = typename SphereSearch<V>::Row;
 
-  Mask not_behind_planes(const Hit<V>& hit, const Sides& sides, Mask asked) const {
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      if (sides[i] == 0) continue;
-      const V side = dot(spread<V>(scene_.planes.point[i]) - hit.point, spread<V>(scene_.planes.normal[i]));
-      const Mask behind = (sides[i] > 0 ? side <= V(0) : side >= V(0)) & !(hit.place == Index(static_cast<Whole>(i)));
+  Mask not_behind_planes(const Hit<V>& hit, const LightPlanes& planes, Mask asked) const {
+    for (const auto& [i, side] : planes.between) {
+      const auto plane = static_cast<std::size_t>(i);
+      const V height = dot(hit.point - spread<V>(scene_.planes.point[plane]), spread<V>(scene_.planes.normal[plane]));
+      const Mask behind = (side > 0 ? height <= V(0) : height >= V(0)) & !(hit.place == Index(static_cast<Whole>(i)));
       asked = asked & !behind;
     }
     return asked;

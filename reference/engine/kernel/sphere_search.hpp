@@ -2,6 +2,12 @@
 
 namespace raylab::fast::RAYLAB_TARGET {
 
+template <class V>
+struct Ball {
+  Vec3<V> center;
+  V radius;
+};
+
 /// How rays, or a beam of them, meet the spheres of a scene: what the search for the nearest surface and the search for
 /// shadows share.
 template <class V>
@@ -32,6 +38,16 @@ class SphereSearch {
   }
 
   Vec3<V> center(std::size_t i) const { return spread<V>(scene_.spheres.center[i]); }
+
+  /// Each lane's sphere; the first one in the lanes that have none.
+  Ball<V> balls_at(const Places<V>& places, Mask lanes) const {
+    if (places.same()) {
+      const std::size_t sphere = places.common() - static_cast<std::size_t>(plane_count_);
+      return {center(sphere), V(scene_.spheres.radius[sphere])};
+    }
+    const Index sphere = sphere_of(places.each(), lanes);
+    return {centers(sphere), gather(scene_.spheres.radius.data(), sphere)};
+  }
 
   /// Lanes whose line passes sphere i closely enough, but for those that leave it, that have it behind them, or that have
   /// met something nearer for certain.
@@ -67,6 +83,7 @@ class SphereSearch {
   /// Calls visit(i) for the spheres from `begin` up to `end` that the beam reaches, until it returns false.
   template <class Visit>
   RAYLAB_INLINE void for_each_reached(const Beam<T>& beam, std::size_t begin, std::size_t end, Visit visit) const {
+    if (begin == end) return;
     if (Lanes<V>::count == 1 || !(beam.growth < fastest_growth)) {
       for (std::size_t i = begin; i < end; ++i)
         if (!visit(i)) return;

@@ -24,42 +24,37 @@ class Places {
   bool same_;
 };
 
-/// What the surfaces are like that the lanes have met.
+/// What the surfaces are like that the lanes have met. Fetched where it is asked for: most scenes need but a part of it.
 template <class V>
-struct Look {
-  Vec3<V> color;
-  V alpha, strength, mirror;
-  MaskOf<V> glass;
-  IndexOf<V> finish_row;
-};
-
-/// That of the surfaces at `places`.
-template <class V>
-Look<V> look_at(const Prepared<NumberOf<V>>& scene, const Places<V>& places) {
+class Look {
+ public:
   using T = NumberOf<V>;
-  using Index = IndexOf<V>;
-  using Whole = WholeOf<V>;
-  const T* const surfaces = scene.surfaces.numbers.data();
-  const T* const finishes = scene.finishes.numbers.data();
-  if (places.same()) {
-    const T* const surface = surfaces + places.common() * surface_columns;
-    const Whole row = static_cast<Whole>(surface[finish]) * finish_columns;
-    const T* const look = finishes + row;
-    return {{V(surface[red]), V(surface[green]), V(surface[blue])},
-            V(look[alpha]),
-            V(look[strength]),
-            V(look[mirror]),
-            V(look[is_glass]) > V(0),
-            Index(row)};
+
+  Look(const Prepared<T>& scene, const Places<V>& places)
+      : surfaces_(scene.surfaces.numbers.data()), finishes_(scene.finishes.numbers.data()), same_(places.same()) {
+    if (same_) {
+      surfaces_ += places.common() * surface_columns;
+      finishes_ += static_cast<WholeOf<V>>(surfaces_[finish]) * finish_columns;
+    } else {
+      surface_ = shifted_left<std::countr_zero(unsigned{surface_columns})>(places.each());
+      finish_ = shifted_left<std::countr_zero(unsigned{finish_columns})>(whole((*this)[finish]));
+    }
   }
-  const Index surface = shifted_left<std::countr_zero(unsigned{surface_columns})>(places.each());
-  const Index row = shifted_left<std::countr_zero(unsigned{finish_columns})>(whole(gather(surfaces + finish, surface)));
-  return {{gather(surfaces + red, surface), gather(surfaces + green, surface), gather(surfaces + blue, surface)},
-          gather(finishes + alpha, row),
-          gather(finishes + strength, row),
-          gather(finishes + mirror, row),
-          gather(finishes + is_glass, row) > V(0),
-          row};
-}
+
+  Vec3<V> color() const { return {(*this)[red], (*this)[green], (*this)[blue]}; }
+
+  RAYLAB_INLINE V operator[](FinishColumn column) const {
+    return same_ ? V(finishes_[column]) : gather(finishes_ + column, finish_);
+  }
+
+ private:
+  RAYLAB_INLINE V operator[](SurfaceColumn column) const {
+    return same_ ? V(surfaces_[column]) : gather(surfaces_ + column, surface_);
+  }
+
+  const T *surfaces_, *finishes_;  ///< the tables, or the rows that are the same in all lanes
+  bool same_;
+  IndexOf<V> surface_, finish_;  ///< where the rows begin that differ
+};
 
 }  // namespace raylab::fast::RAYLAB_TARGET

@@ -80,15 +80,28 @@ class Tracer {
     const Vec3<V> background = spread<V>(scene_.background);
     if (none(met)) return background;
     const Places<V> places(nearest.place, met);
-    const Look<V> look = look_at(scene_, places);
-    if (scene_.settings.stage == 2) return select(met, look.color, background);
+    const Look<V> look(scene_, places);
+    if (scene_.settings.stage == 2) return select(met, look.color(), background);
     const Hit<V> hit = nearest_.hit_at(from.ray, nearest, places, met);
-    const Mask glass = met & look.glass;
+    if (scene_.features.glass) {
+      const Mask glass = met & (look[is_glass] > V(0));
+      if (any(glass)) return glass_color(from, hit, look, places, met, glass);
+    }
+    if (scene_.features.mirrors && goes_on(from)) send_reflected(from, hit, look[mirror], met);
+    return select(met, lit_color(from, hit, look, met), background);
+  }
+
+  /// The same where the surfaces of `glass` are glass, which sends all its light on.
+  [[gnu::noinline]] Vec3<V> glass_color(const Waiting& from, const Hit<V>& hit, const Look<V>& look, const Places<V>& places,
+                                        Mask met, Mask glass) {
+    if (goes_on(from)) send_from_glass(from, hit, look, nearest_.balls_at(places, glass), met, glass);
     const Mask lit = met & !glass;
-    send_on(from, hit, look, met, glass);
-    const Vec3<V> seen =
-        any(lit) ? tinted(lighting_.light_on(hit, from.ray.direction, look, lit, counts_), look.color) : zero<V>();
-    return select(lit, seen, select(glass, zero<V>(), background));
+    const Vec3<V> seen = any(lit) ? lit_color(from, hit, look, lit) : zero<V>();
+    return select(lit, seen, select(glass, zero<V>(), spread<V>(scene_.background)));
+  }
+
+  RAYLAB_INLINE Vec3<V> lit_color(const Waiting& from, const Hit<V>& hit, const Look<V>& look, Mask lit) {
+    return tinted(lighting_.light_on(hit, from.ray.direction, look, lit, counts_), look.color());
   }
 
   /// Light beyond the largest number is infinite, but black stays black.
@@ -97,13 +110,7 @@ class Tracer {
     return {part(color.x), part(color.y), part(color.z)};
   }
 
-  void send_on(const Waiting& from, const Hit<V>& hit, const Look<V>& look, Mask met, Mask glass) {
-    if (from.bounce >= scene_.settings.max_bounces) return;
-    if (any(glass))
-      send_from_glass(from, hit, look, met, glass);
-    else if (scene_.features.mirrors)
-      send_reflected(from, hit, look.mirror, met);
-  }
+  bool goes_on(const Waiting& from) const { return from.bounce < scene_.settings.max_bounces; }
 
   void send_reflected(const Waiting& from, const Hit<V>& hit, V weight, Mask lanes) {
     const Vec3<V>& d = from.ray.direction;
@@ -112,16 +119,15 @@ class Tracer {
   }
 
   /// From glass in the lanes of `glass`, which sends on two rays, and from mirrors in the others.
-  void send_from_glass(const Waiting& from, const Hit<V>& hit, const Look<V>& look, Mask met, Mask glass) {
+  void send_from_glass(const Waiting& from, const Hit<V>& hit, const Look<V>& look, const Ball<V>& ball, Mask met,
+                       Mask glass) {
     const Vec3<V>& d = from.ray.direction;
-    const T* const finishes = scene_.finishes.numbers.data();
-    const Glass<V> what = {gather(finishes + ior, look.finish_row), gather(finishes + ior_squared_minus_1, look.finish_row),
-                           gather(finishes + r0, look.finish_row)};
+    const Glass<V> what = {look[ior], look[ior_squared_minus_1], look[r0]};
     const Refraction<V> refraction = refract(d, hit.normal, hit.inside, what);
     const Parts<V> parts = schlick(refraction, hit.inside, what);
-    send_reflected(from, hit, select(glass, parts.reflected, look.mirror), met);
+    send_reflected(from, hit, select(glass, parts.reflected, look[mirror]), met);
     const Mask through = glass & (parts.refracted > V(0));
-    Refracted<V> ahead = through_sphere(refraction, d, hit.normal, hit.center, hit.radius, what);
+    Refracted<V> ahead = through_sphere(refraction, d, hit.normal, ball.center, ball.radius, what);
     if (any(through & hit.inside)) {
       const Refracted<V> out = out_of_sphere(refraction, d, hit.normal, hit.point, what);
       ahead = {select(hit.inside, out.origin, ahead.origin), select(hit.inside, out.direction, ahead.direction)};
