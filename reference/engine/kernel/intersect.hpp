@@ -15,17 +15,17 @@ RAYLAB_INLINE V plane_distance(const Vec3<V>& o, const Vec3<V>& d, const Vec3<V>
 /// cancellation.
 template <class V>
 struct Passing {
-  V b;           ///< (o - c).d: minus the distance from the origin to the foot
-  Vec3<V> perp;  ///< from the center to the foot
+  V foot;        ///< its distance along the ray, (c - o).d; below 0 behind the origin
+  Vec3<V> perp;  ///< from the foot to the center
   V apart;       ///< |perp|^2
 };
 
 template <class V>
 RAYLAB_INLINE Passing<V> pass(const Vec3<V>& o, const Vec3<V>& d, const Vec3<V>& c) {
-  const Vec3<V> f = o - c;
-  const V b = dot(f, d);
-  const Vec3<V> perp = f - b * d;
-  return {b, perp, dot(perp, perp)};
+  const Vec3<V> to_center = c - o;
+  const V foot = dot(to_center, d);
+  const Vec3<V> perp = to_center - foot * d;
+  return {foot, perp, dot(perp, perp)};
 }
 
 /// Where a ray meets a sphere.
@@ -40,33 +40,35 @@ struct Meeting {
 /// Meetings of rays that start near the sphere's surface, compared with its radius: there the gap, computed without error,
 /// knows more than the foot, whose error is that of R^2. From afar it is the other way round.
 template <class V>
-Meeting<V> meet_nearby(V b, V gap) {
-  const V discriminant = b * b - gap;
+[[gnu::noinline]] Meeting<V> meet_nearby(const Vec3<V>& o, const Vec3<V>& d, const Vec3<V>& c, V radius) {
+  const V foot = dot(c - o, d);
+  const V gap = gap_to_sphere(o, c, radius);
+  const V discriminant = foot * foot - gap;
   const V half = square_root(greatest(V(0), discriminant));
   const MaskOf<V> touches = gap == V(0);
-  const MaskOf<V> outside = (gap > V(0)) | (touches & (b <= V(0)));
+  const MaskOf<V> outside = (gap > V(0)) | (touches & (foot >= V(0)));
   const MaskOf<V> inside = !outside;
-  const V from_outside = select(touches, V(0), gap / (half - b));
-  const V from_inside = select(b > V(0), -gap / (half + b), half - b);
-  const MaskOf<V> met = (discriminant >= V(0)) & (inside | touches | (b < V(0)));
+  const V from_outside = select(touches, V(0), gap / (half + foot));
+  const V from_inside = select(foot < V(0), -gap / (half - foot), half + foot);
+  const MaskOf<V> met = (discriminant >= V(0)) & (inside | touches | (foot > V(0)));
   return {met, select(outside, from_outside, from_inside), half, inside};
 }
 
-/// For the rays of `asked`. `gap` gives gap_to_sphere() of the rays' origins, where that is needed.
-template <class V, class Gap>
-RAYLAB_INLINE Meeting<V> meet(MaskOf<V> asked, const Passing<V>& passing, V radius, Gap gap) {
-  const V b = passing.b;
+/// For the rays of `asked`. `near_meeting` gives what meet_nearby() finds, where that is needed.
+template <class V, class NearMeeting>
+RAYLAB_INLINE Meeting<V> meet(MaskOf<V> asked, const Passing<V>& passing, V radius, NearMeeting near_meeting) {
+  const V foot = passing.foot;
   const V squared = radius * radius;
   const V discriminant = squared - passing.apart;
   const V half = square_root(greatest(V(0), discriminant));
-  const V rough_gap = b * b - discriminant;
+  const V rough_gap = foot * foot - discriminant;
   const MaskOf<V> inside = rough_gap < V(0);
-  const MaskOf<V> met = asked & (discriminant >= V(0)) & (inside | (b < V(0)));
-  const V t = select(inside, half - b, -b - half);
+  const MaskOf<V> met = asked & (discriminant >= V(0)) & (inside | (foot > V(0)));
+  const V t = foot + select(inside, half, -half);
   const MaskOf<V> nearby = asked & (magnitude(rough_gap) < V(1.0f / 16) * squared);
   if (none(nearby)) [[likely]]
     return {met, t, half, inside};
-  const Meeting<V> near = meet_nearby(b, gap());
+  const Meeting<V> near = near_meeting();
   return {select(nearby, near.met, met), select(nearby, near.t, t), select(nearby, near.half, half),
           select(nearby, near.inside, inside)};
 }
@@ -74,7 +76,7 @@ RAYLAB_INLINE Meeting<V> meet(MaskOf<V> asked, const Passing<V>& passing, V radi
 /// The distance at which a ray that starts on a sphere and leaves it inwards meets its far side (D6).
 template <class V>
 RAYLAB_INLINE V far_side(const Passing<V>& passing) {
-  return greatest(V(0), V(-2) * passing.b);
+  return greatest(V(0), V(2) * passing.foot);
 }
 
 }  // namespace raylab::fast::RAYLAB_TARGET

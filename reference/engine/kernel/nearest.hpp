@@ -84,9 +84,11 @@ class NearestSearch {
 
   RAYLAB_INLINE void meet_sphere(const Ray<V>& ray, Mask lanes, std::size_t i, Nearest<V>& best) const {
     const Passing<V> passing = pass(ray.origin, ray.direction, spheres_.center(i));
-    const Mask asked = spheres_.may_meet(ray.leaves, lanes, i, passing, best.t);
+    const Mask close = spheres_.passing_close(lanes, i, passing);
+    if (none(close)) return;
+    const Mask asked = spheres_.may_meet(ray.leaves, close, i, passing, best.t);
     if (none(asked)) return;
-    const Meeting<V> meeting = spheres_.meet_one(ray.origin, asked, passing, i);
+    const Meeting<V> meeting = spheres_.meet_one(ray.origin, ray.direction, asked, passing, i);
     update(meeting.met, meeting.t, spheres_.place_of(i), best);
   }
 
@@ -168,11 +170,11 @@ class NearestSearch {
     const Ball<V> ball = spheres_.balls_at(places, lanes);
     const Passing<V> passing = pass(ray.origin, ray.direction, ball.center);
     const Meeting<V> meeting = meet(lanes, passing, ball.radius,
-                                    [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(ray.origin, ball.center, ball.radius); });
+                                    [&]() RAYLAB_ATTRIBUTE { return meet_nearby(ray.origin, ray.direction, ball.center, ball.radius); });
     const Mask own = lanes & ray.inwards & (ray.leaves == nearest.place);
     hit.inside = lanes & (own | meeting.inside);
-    const V along = select(own, nearest.t + passing.b, select(meeting.inside, meeting.half, -meeting.half));
-    const Vec3<V> outwards = (V(1) / ball.radius) * (passing.perp + along * ray.direction);
+    const V along = select(own, nearest.t - passing.foot, select(meeting.inside, meeting.half, -meeting.half));
+    const Vec3<V> outwards = (V(1) / ball.radius) * (along * ray.direction - passing.perp);
     hit.normal = straightened(select(hit.inside, -outwards, outwards));
   }
 

@@ -55,9 +55,11 @@ class ShadowSearch {
 
   RAYLAB_INLINE Mask blocked_by(const Hit<V>& hit, const Seen<V>& light, Mask open, std::size_t i) const {
     const Passing<V> passing = pass(hit.point, light.l, spheres_.center(i));
-    const Mask asked = spheres_.may_meet(hit.place, open, i, passing, light.distance);
+    const Mask close = spheres_.passing_close(open, i, passing);
+    if (none(close)) return close;
+    const Mask asked = spheres_.may_meet(hit.place, close, i, passing, light.distance);
     if (none(asked)) return asked;
-    const Meeting<V> meeting = spheres_.meet_one(hit.point, asked, passing, i);
+    const Meeting<V> meeting = spheres_.meet_one(hit.point, light.l, asked, passing, i);
     return meeting.met & (meeting.t < light.distance);
   }
 

@@ -49,20 +49,24 @@ class SphereSearch {
     return {centers(sphere), gather(scene_.spheres.radius.data(), sphere)};
   }
 
-  /// Lanes whose line passes sphere i closely enough, but for those that leave it, that have it behind them, or that have
-  /// met something nearer for certain.
-  RAYLAB_INLINE Mask may_meet(Index leaves, Mask lanes, std::size_t i, const Passing<V>& passing, V limit) const {
-    const V reach(scene_.spheres.reach[i]);
-    const Mask close = lanes & (passing.apart <= reach);
-    if (none(close)) return close;
-    const V radius(scene_.spheres.radius[i] * (1 + 256 * std::numeric_limits<T>::epsilon()));
-    const Mask ahead = (passing.b < V(0)) | (passing.b * passing.b + passing.apart <= reach);
-    return close & ahead & (-passing.b - radius <= limit) & !(leaves == place_of(i));
+  /// Lanes whose line passes sphere i closely enough.
+  RAYLAB_INLINE Mask passing_close(Mask lanes, std::size_t i, const Passing<V>& passing) const {
+    return lanes & (passing.apart <= V(scene_.spheres.reach[i]));
   }
 
-  RAYLAB_INLINE Meeting<V> meet_one(const Vec3<V>& origin, Mask asked, const Passing<V>& passing, std::size_t i) const {
-    const V radius(scene_.spheres.radius[i]);
-    return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(origin, center(i), radius); });
+  /// Of those that pass it closely: but for lanes that leave it, that have it behind them, or that have met something nearer
+  /// for certain.
+  RAYLAB_INLINE Mask may_meet(Index leaves, Mask close, std::size_t i, const Passing<V>& passing, V limit) const {
+    const V reach(scene_.spheres.reach[i]);
+    const V radius(scene_.spheres.radius[i] * (1 + 256 * std::numeric_limits<T>::epsilon()));
+    const Mask ahead = (passing.foot > V(0)) | (passing.foot * passing.foot + passing.apart <= reach);
+    return close & ahead & (passing.foot - radius <= limit) & !(leaves == place_of(i));
+  }
+
+  RAYLAB_INLINE Meeting<V> meet_one(const Vec3<V>& origin, const Vec3<V>& direction, Mask asked, const Passing<V>& passing,
+                                    std::size_t i) const {
+    return meet(asked, passing, V(scene_.spheres.radius[i]),
+                [&]() RAYLAB_ATTRIBUTE { return meet_nearby_one(origin, direction, i); });
   }
 
   /// The spheres of a leaf from place i on, as many as a Row holds. What stands behind the leaf is asked too: it does no
@@ -77,7 +81,7 @@ class SphereSearch {
     const MaskOf<Row> asked = (passing.apart <= load<Row>(&spheres.reach[i])) & !own;
     if (none(asked)) return {asked, Row(0), Row(0), asked};
     const Row radius = load<Row>(&spheres.radius[i]);
-    return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return gap_to_sphere(o, c, radius); });
+    return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return meet_nearby(o, spread<Row>(ray.direction), c, radius); });
   }
 
   /// Calls visit(i) for the spheres from `begin` up to `end` that the beam reaches, until it returns false.
@@ -109,6 +113,10 @@ class SphereSearch {
   }
 
  private:
+  [[gnu::noinline]] Meeting<V> meet_nearby_one(const Vec3<V>& origin, const Vec3<V>& direction, std::size_t i) const {
+    return meet_nearby(origin, direction, center(i), V(scene_.spheres.radius[i]));
+  }
+
   /// A hierarchy is searched for the rays of a pack together where they are some, and stay together; if they turn out to
   /// meet too many leaves, or are few, for each of them alone.
   static constexpr std::size_t least_together = 6;
