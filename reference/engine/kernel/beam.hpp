@@ -20,10 +20,11 @@ struct Beam {
 };
 
 template <class V>
-RAYLAB_INLINE NumberOf<V> lane(V a, std::size_t i) {
-  std::array<NumberOf<V>, Lanes<V>::count> numbers;
-  store(a, numbers.data());
-  return numbers[i];
+RAYLAB_INLINE NumberOf<V> lane(const V& a, std::size_t i) {
+  static_assert(sizeof(V) == Lanes<V>::count * sizeof(NumberOf<V>));
+  NumberOf<V> number;
+  std::memcpy(&number, reinterpret_cast<const std::byte*>(&a) + i * sizeof number, sizeof number);
+  return number;
 }
 
 template <class V>

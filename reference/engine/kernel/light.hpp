@@ -52,7 +52,7 @@ class Lighting {
     return select(lit, shown * strength, V(0));
   }
 
-  V shine(const Seen<V>& light, const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit) const {
+  RAYLAB_INLINE V shine(const Seen<V>& light, const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit) const {
     const V k_s = look[strength];
     return k_s * highlight(lit & (k_s > V(0)), light.l, hit.normal, -d, look[alpha]);
   }

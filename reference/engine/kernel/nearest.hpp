@@ -36,18 +36,12 @@ class NearestSearch {
     Hit<V> hit;
     hit.place = nearest.place;
     hit.point = ray.origin + nearest.t * ray.direction;
-    if (scene_.planes.point.size() == 0) {
+    if (!places.same())
+      on_surfaces(ray, nearest, places, met, hit);
+    else if (places.common() < scene_.planes.normal.size())
+      on_plane(ray, places.common(), hit);
+    else
       on_sphere(ray, nearest, places, met, hit);
-      return hit;
-    }
-    const Mask spheres = met & (nearest.place >= Index(spheres_.plane_count()));
-    if (any(spheres)) {
-      on_sphere(ray, nearest, places, spheres, hit);
-    } else {
-      hit.normal = zero<V>();
-      hit.inside = mask_of<V>(0);
-    }
-    on_planes(ray, nearest, met, hit);
     return hit;
   }
 
@@ -169,8 +163,9 @@ class NearestSearch {
   void on_sphere(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask lanes, Hit<V>& hit) const {
     const Ball<V> ball = spheres_.balls_at(places, lanes);
     const Passing<V> passing = pass(ray.origin, ray.direction, ball.center);
-    const Meeting<V> meeting = meet(lanes, passing, ball.radius,
-                                    [&]() RAYLAB_ATTRIBUTE { return meet_nearby(ray.origin, ray.direction, ball.center, ball.radius); });
+    const Meeting<V> meeting = meet(lanes, passing, ball.radius, [&]() RAYLAB_ATTRIBUTE {
+      return meet_nearby(ray.origin, ray.direction, ball.center, ball.radius);
+    });
     const Mask own = lanes & ray.inwards & (ray.leaves == nearest.place);
     hit.inside = lanes & (own | meeting.inside);
     const V along = select(own, nearest.t - passing.foot, select(meeting.inside, meeting.half, -meeting.half));
@@ -178,12 +173,25 @@ class NearestSearch {
     hit.normal = straightened(select(hit.inside, -outwards, outwards));
   }
 
-  void on_planes(const Ray<V>& ray, const Nearest<V>& nearest, Mask met, Hit<V>& hit) const {
+  void on_plane(const Ray<V>& ray, std::size_t i, Hit<V>& hit) const {
+    const Vec3<V> normal = spread<V>(scene_.planes.normal[i]);
+    hit.normal = select(dot(normal, ray.direction) > V(0), -normal, normal);
+    hit.inside = mask_of<V>(0);
+  }
+
+  [[gnu::noinline]] void on_surfaces(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask met,
+                                     Hit<V>& hit) const {
+    hit.normal = zero<V>();
+    hit.inside = mask_of<V>(0);
+    const Mask spheres = met & (nearest.place >= Index(spheres_.plane_count()));
+    if (any(spheres)) on_sphere(ray, nearest, places, spheres, hit);
     for (std::size_t i = 0; i < scene_.planes.normal.size(); ++i) {
       const Mask here = met & (nearest.place == Index(static_cast<Whole>(i)));
       if (none(here)) continue;
-      const Vec3<V> normal = spread<V>(scene_.planes.normal[i]);
-      hit.normal = select(here, select(dot(normal, ray.direction) > V(0), -normal, normal), hit.normal);
+      Hit<V> there;
+      on_plane(ray, i, there);
+      hit.normal = select(here, there.normal, hit.normal);
+      hit.inside = hit.inside & !here;
     }
   }
 

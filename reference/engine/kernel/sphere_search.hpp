@@ -81,7 +81,8 @@ class SphereSearch {
     const MaskOf<Row> asked = (passing.apart <= load<Row>(&spheres.reach[i])) & !own;
     if (none(asked)) return {asked, Row(0), Row(0), asked};
     const Row radius = load<Row>(&spheres.radius[i]);
-    return meet(asked, passing, radius, [&]() RAYLAB_ATTRIBUTE { return meet_nearby(o, spread<Row>(ray.direction), c, radius); });
+    return meet(asked, passing, radius,
+                [&]() RAYLAB_ATTRIBUTE { return meet_nearby(o, spread<Row>(ray.direction), c, radius); });
   }
 
   /// Calls visit(i) for the spheres from `begin` up to `end` that the beam reaches, until it returns false.

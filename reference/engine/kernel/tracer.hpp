@@ -77,18 +77,17 @@ class Tracer {
     if (cancel_.load(std::memory_order_relaxed)) throw Cancelled{};
     const Nearest<V> nearest = nearest_.nearest_surface(from.ray, from.lanes);
     const Mask met = from.lanes & (nearest.place >= Index(0));
-    const Vec3<V> background = spread<V>(scene_.background);
-    if (none(met)) return background;
+    if (none(met)) return spread<V>(scene_.background);
     const Places<V> places(nearest.place, met);
     const Look<V> look(scene_, places);
-    if (scene_.settings.stage == 2) return select(met, look.color(), background);
+    if (scene_.settings.stage == 2) return select(met, look.color(), spread<V>(scene_.background));
     const Hit<V> hit = nearest_.hit_at(from.ray, nearest, places, met);
     if (scene_.features.glass) {
       const Mask glass = met & (look[is_glass] > V(0));
       if (any(glass)) return glass_color(from, hit, look, places, met, glass);
     }
     if (scene_.features.mirrors && goes_on(from)) send_reflected(from, hit, look[mirror], met);
-    return select(met, lit_color(from, hit, look, met), background);
+    return select(met, lit_color(from, hit, look, met), spread<V>(scene_.background));
   }
 
   /// The same where the surfaces of `glass` are glass, which sends all its light on.
