@@ -16,80 +16,40 @@ ENGINE = pathlib.Path(__file__).resolve().parent.parent / "reference" / "engine"
 # Of all kernel/*.hpp, seen as one text. A text alone stands for the statement or function that begins so, which goes; of a pair, the second
 # text takes the first one's place. What nothing calls any more need not go: the members of a template are compiled on demand.
 
+LIGHTS_IN_PLANES = ["for (const int plane : light.planes.around)"]
 PLANES = [
-    "for (std::size_t i = 0; i < scene_.planes.point.size(); ++i) {",
-    "for (std::size_t i = 0; i < scene_.planes.normal.size(); ++i) {",
-    ("not_behind_planes(hit, light.sides, asked);", "asked;"),
-    "const Mask spheres = met & (nearest.place >= Index(spheres_.plane_count()));",
-    ("if (any(spheres)) on_sphere(ray, nearest, places, spheres, hit);", "on_sphere(ray, nearest, places, met, hit);"),
+    "for (Whole i = 0; i < spheres_.plane_count(); ++i) {\n      const PreparedPlane",
+    ("not_behind_planes(hit, light.planes, asked);", "asked;"),
+    ("else if (places.common() < spheres_.plane_count())\n      on_plane(ray, places.common(), hit);\n    else", "else"),
+    ("if (!places.same())\n      on_surfaces(ray, nearest, places, met, hit);\n    else", ""),
     ("const Whole plane_count_;", "static constexpr Whole plane_count_ = 0;"),
-    ("      : scene_(scene), plane_count_(static_cast<Whole>(scene.planes.point.size())) {}", "      : scene_(scene) {}"),
-]
+    (", plane_count_(static_cast<Whole>(scene.planes.size())) {}", " {}"),
+] + LIGHTS_IN_PLANES
 GLASS = [
     ("{&scene_.spheres.opaque, &scene_.spheres.glass}", "{&scene_.spheres.opaque}"),
     (" & (hit.place < spheres_.place_of(scene_.spheres.glass.begin))", ""),
-    ("  MaskOf<V> glass;\n  IndexOf<V> finish_row;\n", ""),
-    ("V(look[is_glass]) > V(0),\n            Index(row)}", "}"),
-    ("gather(finishes + is_glass, row) > V(0),\n          row}", "}"),
-    "const Mask glass = met & look.glass;",
-    ("lit = met & !glass;", "lit = met;"),
-    ("\n        any(lit) ? tinted(", " tinted("),
-    (", look.color) : zero<V>();", ", look.color);"),
-    ("select(glass, zero<V>(), background)", "background"),
-    ("send_on(from, hit, look, met, glass);", "send_on(from, hit, look, met);"),
-    ("const Look<V>& look, Mask met, Mask glass) {\n    if (from.bounce", "const Look<V>& look, Mask met) {\n    if (from.bounce"),
-    ("if (any(glass))\n      send_from_glass(from, hit, look, met, glass);\n    else if", "if"),
-    "void send_from_glass(const Waiting&",
-    # Only glass asks for the sphere that was hit.
-    ("  Vec3<V> center;    ///< of the sphere\n  V radius;\n", ""),
-    ("hit.normal = hit.center = zero<V>();\n    hit.radius = V(0);", "hit.normal = zero<V>();"),
-    ("Hit<V>& hit) const {\n    if (places.same()) {", "Hit<V>& hit) const {\n    Vec3<V> middle;\n    V radius;\n    if (places.same()) {"),
-    ("hit.center", "middle"),
-    ("hit.radius", "radius"),
+    "if (scene_.features.glass) {",
 ]
-MIRRORS = [
-    ("if (scene_.features.mirrors)\n      send_reflected(from, hit, look.mirror, met);", ";"),
-    ("V(look[mirror]),", ""),
-    ("gather(finishes + mirror, row),", ""),
-]
-MIRRORS_BESIDE_GLASS = [("select(glass, parts.reflected, look.mirror), met", "parts.reflected, glass")]
-BOUNCES = [
-    "send_on(from, hit, look, met);",
-    "while (!waiting_.empty()) {",
-]
-HIGHLIGHTS = [
-    ("scene_.features.highlights ? cosine + shine(light, hit, d, look, lit) : cosine", "cosine"),
-    ("V(look[alpha]),", ""),
-    ("V(look[strength]),", ""),
-    ("gather(finishes + alpha, row),", ""),
-    ("gather(finishes + strength, row),", ""),
-    "V shine(const Seen<V>&",
-]
+MIRRORS = ["if (scene_.features.mirrors && goes_on(from)) send_reflected(from, hit, look[mirror], met);"]
+MIRRORS_BESIDE_GLASS = [("select(glass, parts.reflected, look[mirror]), met", "parts.reflected, glass")]
+BOUNCES = GLASS + MIRRORS + ["while (!waiting_.empty()) {"]
+HIGHLIGHTS = [("scene_.features.highlights ? cosine + shine(light, hit, d, look, lit) : cosine", "cosine")]
 SHADOWS = [("scene_.features.shadows ? area_of(hit.point, lit) : Area<T>{}", "{}"), "if (scene_.features.shadows) {"]
-LIGHTS_IN_PLANES = ["if (scene_.features.lights_in_planes)", "if (sides[i] == 0) continue;"]
 DIRECTIONAL_LIGHTS = ["for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {"]
 POINT_LIGHTS = ["for (const PreparedPointLight<T>& light : scene_.point_lights) {"]
 HIERARCHY = ["if (group->hierarchy) search_nearest(", "if (opaque.hierarchy && any(open))"]
 GIANTS = ["spheres_.for_each_reached(beam, group->begin, group->loop_end,", "spheres_.for_each_reached(beam, opaque.begin, opaque.loop_end,"]
-ADAPTIVE = ["if (scene_.adaptive) return adaptive_pixel("]
-SAMPLES = [
-    "for (const SampleOffset& offset : scene_.samples) sum = sum + sample(",
-    ("if (scene_.samples.size() == 1) return", "return"),
-    "return V(T(1) / static_cast<T>(scene_.samples.size())) * sum;",
-]
-
-
-def look(fields):
-    return [("  V alpha, strength, mirror;\n", fields)]
+ADAPTIVE = [("scene_.adaptive ? adaptive_pixel(x, y, lanes) : ", "")]
+SAMPLES = [("if (scene_.samples.size() == 1) return", "return")]
 
 
 KERNELS = {
     "whole": [],
     "planes": PLANES,
     "glass": GLASS,
-    "mirrors": look("  V alpha, strength;\n") + MIRRORS + MIRRORS_BESIDE_GLASS,
-    "bounces": look("  V alpha, strength;\n") + GLASS + MIRRORS + BOUNCES,
-    "highlights": look("  V mirror;\n") + HIGHLIGHTS,
+    "mirrors": MIRRORS + MIRRORS_BESIDE_GLASS,
+    "bounces": BOUNCES,
+    "highlights": HIGHLIGHTS,
     "shadows": SHADOWS,
     "lights_in_planes": LIGHTS_IN_PLANES,
     "directional_lights": DIRECTIONAL_LIGHTS,
@@ -98,8 +58,7 @@ KERNELS = {
     "giants": GIANTS,
     "adaptive": ADAPTIVE,
     "samples": SAMPLES,
-    "all": look("") + PLANES + GLASS + MIRRORS + BOUNCES + HIGHLIGHTS + LIGHTS_IN_PLANES + DIRECTIONAL_LIGHTS + HIERARCHY
-           + ADAPTIVE + SAMPLES,
+    "all": PLANES + BOUNCES + HIGHLIGHTS + DIRECTIONAL_LIGHTS + HIERARCHY + SAMPLES,
 }
 
 

@@ -50,6 +50,7 @@ float rounded_down(double a) {
 struct Frame {
   std::span<const Sphere> spheres;
   Hierarchy::Numbers numbers;
+  Double3 origin;
   Double3 middle;
 
   double rounded(double a) const { return numbers == Hierarchy::Numbers::floats ? static_cast<float>(a) : a; }
@@ -60,8 +61,8 @@ struct Frame {
     Box box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       // c - m and then - R round twice: the widening is more than both of them.
-      const double c = rounded(center[axis]) - middle[axis];
-      const double wider = 4 * std::numeric_limits<double>::epsilon() * (std::abs(center[axis]) + radius);
+      const double c = rounded(center[axis] - origin[axis]) - middle[axis];
+      const double wider = 4 * std::numeric_limits<double>::epsilon() * (std::abs(center[axis] - origin[axis]) + radius);
       box.low[axis] = rounded_down(c - radius - wider);
       box.high[axis] = -rounded_down(-(c + radius + wider));
     }
@@ -212,8 +213,10 @@ class LeafCutter {
 
   std::array<float, 3> center(Key key) const {
     const Double3 c = components(frame_.spheres[sphere_number(key)].center);
-    return {static_cast<float>(c[0] - frame_.middle[0]), static_cast<float>(c[1] - frame_.middle[1]),
-            static_cast<float>(c[2] - frame_.middle[2])};
+    std::array<float, 3> point;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      point[axis] = static_cast<float>(c[axis] - frame_.origin[axis] - frame_.middle[axis]);
+    return point;
   }
 
   Leaf leaf(std::size_t begin, std::size_t end) const {
@@ -401,12 +404,14 @@ std::vector<Hierarchy::Node> build_nodes(std::span<Leaf> leaves, unsigned thread
 
 }  // namespace
 
-Hierarchy::Hierarchy(std::span<const Sphere> spheres, Numbers numbers, unsigned threads) : order_(spheres.size()) {
+Hierarchy::Hierarchy(std::span<const Sphere> spheres, Numbers numbers, const Vec3& origin, unsigned threads)
+    : order_(spheres.size()) {
   const Bounds bounds = bounds_of_centers(spheres, threads);
-  for (std::size_t axis = 0; axis < 3; ++axis) middle_[axis] = 0.5 * bounds.low[axis] + 0.5 * bounds.high[axis];
+  const Double3 from = components(origin);
+  for (std::size_t axis = 0; axis < 3; ++axis) middle_[axis] = 0.5 * bounds.low[axis] + 0.5 * bounds.high[axis] - from[axis];
   std::vector<Key> keys = curve_keys(spheres, bounds, threads);
   sort_keys(keys, threads);
-  std::vector<Leaf> leaves = cut_leaves({spheres, numbers, middle_}, keys, threads);
+  std::vector<Leaf> leaves = cut_leaves({spheres, numbers, from, middle_}, keys, threads);
   for (std::size_t k = 0; k < keys.size(); ++k) order_[k] = sphere_number(keys[k]);
   nodes_ = build_nodes(leaves, threads);
   for (const auto& side : nodes_[0].planes)

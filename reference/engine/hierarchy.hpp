@@ -57,15 +57,17 @@ class Hierarchy {
   /// What the spheres' numbers are rounded to before anything asks for them: the boxes hold the rounded spheres.
   enum class Numbers { floats, doubles };
 
-  /// Over 1 to `most_spheres` spheres, with coordinates and radii up to 1e15. The same tree for any number of threads.
-  Hierarchy(std::span<const Sphere> spheres, Numbers numbers, unsigned threads);
+  /// Over 1 to `most_spheres` spheres, with coordinates and radii up to 1e15, as the engine has them: seen from `origin`.
+  /// The same tree for any number of threads.
+  Hierarchy(std::span<const Sphere> spheres, Numbers numbers, const Vec3& origin, unsigned threads);
 
   const std::vector<Node>& nodes() const { return nodes_; }  ///< the root comes first
 
   /// The spheres in the order of the leaves: place k of a leaf is spheres[take_order()[k]]. To be taken once.
   std::vector<std::uint32_t> take_order() { return std::move(order_); }
 
-  /// Boxes are relative to this point: far from zero a float has few bits left for the size of a scene.
+  /// Boxes are relative to this point, itself seen from the origin: far from zero a float has few bits left for the size of
+  /// a scene.
   const std::array<double, 3>& middle() const { return middle_; }
 
   float extent() const { return extent_; }  ///< no box reaches further from the middle along any axis

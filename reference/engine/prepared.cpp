@@ -39,12 +39,12 @@ Vec3 exact_cross(const Vec3& a, const Vec3& b) {
 /// `right` comes from the vectors as given, not from their rounded unit vectors: where `up` is almost along `facing`, that
 /// rounding would turn the picture.
 template <class T>
-PreparedCamera<T> prepare_camera(const Camera& camera, const ImageSize& size) {
+PreparedCamera<T> prepare_camera(const Camera& camera, const Vec3& origin, const ImageSize& size) {
   const Vec3 forward = unit(camera.facing);
   const Vec3 right = unit(exact_cross(scaled(camera.facing), scaled(camera.up)));
   const Vec3 up = exact_cross(right, forward);
   const double pixel = 2 * std::tan(camera.half_field_of_view * std::numbers::pi / 180) / std::max(size.width, size.height);
-  return {to<T>(camera.position), to<T>(forward), to<T>(pixel * right), to<T>(pixel * up)};
+  return {to<T>(camera.position - origin), to<T>(forward), to<T>(pixel * right), to<T>(pixel * up)};
 }
 
 /// The sign of a.b; 0 where rounding `a`, `b` and the sum may have made an exact zero into this.
@@ -173,7 +173,8 @@ struct GroupOrder {
   std::optional<Hierarchy> hierarchy;
 };
 
-GroupOrder order_of(std::span<const Sphere> spheres, Hierarchy::Numbers numbers, bool hierarchy, unsigned threads) {
+GroupOrder order_of(std::span<const Sphere> spheres, Hierarchy::Numbers numbers, const Vec3& origin, bool hierarchy,
+                    unsigned threads) {
   GroupOrder result;
   if (hierarchy && spheres.size() >= least_for_hierarchy && spheres.size() <= Hierarchy::most_spheres)
     result.order = giants_of(spheres);
@@ -186,7 +187,7 @@ GroupOrder order_of(std::span<const Sphere> spheres, Hierarchy::Numbers numbers,
     return result;
   }
   if (giants.empty()) {
-    result.hierarchy.emplace(spheres, numbers, threads);
+    result.hierarchy.emplace(spheres, numbers, origin, threads);
     result.order = result.hierarchy->take_order();
     return result;
   }
@@ -195,7 +196,7 @@ GroupOrder order_of(std::span<const Sphere> spheres, Hierarchy::Numbers numbers,
   for (auto giant = giants.rbegin(); giant != giants.rend(); ++giant) rest.erase(rest.begin() + *giant);
   std::vector<Sphere> without;
   for (const std::uint32_t i : rest) without.push_back(spheres[i]);
-  result.hierarchy.emplace(without, numbers, threads);
+  result.hierarchy.emplace(without, numbers, origin, threads);
   for (const std::uint32_t k : result.hierarchy->take_order()) result.order.push_back(rest[k]);
   return result;
 }
@@ -203,15 +204,16 @@ GroupOrder order_of(std::span<const Sphere> spheres, Hierarchy::Numbers numbers,
 template <class T>
 class Builder {
  public:
-  Builder(Prepared<T>& out, const Scene& scene, unsigned threads) : out_(out), scene_(scene), threads_(threads) {}
+  /// Positions are seen from `origin`.
+  Builder(Prepared<T>& out, const Scene& scene, const Vec3& origin, unsigned threads)
+      : out_(out), scene_(scene), origin_(origin), threads_(threads) {}
 
   void add_planes() {
     out_.surfaces.numbers.resize(scene_.planes.size() * surface_columns);
     for (const PlaneObject& plane : scene_.planes) {
-      out_.planes.point.push_back(to<T>(plane.shape.point));
-      out_.planes.normal.push_back(to<T>(unit(plane.shape.normal)));
+      out_.planes.push_back({to<T>(plane.shape.point - origin_), to<T>(unit(plane.shape.normal))});
       add_finish(plane.material);
-      set_surface(out_.planes.point.size() - 1, plane.material.color, finish_count() - 1);
+      set_surface(out_.planes.size() - 1, plane.material.color, finish_count() - 1);
     }
   }
 
@@ -240,7 +242,7 @@ class Builder {
     for (const PlaneObject& plane : scene_.planes) seen_sides.push_back(seen_side(plane.shape, scene_, out_.features.glass));
     for (const PointLight& light : scene_.point_lights)
       out_.point_lights.push_back(
-          {to<T>(light.position), static_cast<T>(light.intensity), planes_of(light, scene_, seen_sides)});
+          {to<T>(light.position - origin_), static_cast<T>(light.intensity), planes_of(light, scene_, seen_sides)});
     for (const DirectionalLight& light : scene_.directional_lights)
       out_.directional_lights.push_back(
           {to<T>(-unit(light.direction)), static_cast<T>(light.intensity), planes_of(light, scene_, seen_sides)});
@@ -288,7 +290,7 @@ class Builder {
   void add_group(const SphereList& list, bool hierarchy, SphereGroup& group) {
     const auto start = std::chrono::steady_clock::now();
     constexpr auto numbers = std::is_same_v<T, float> ? Hierarchy::Numbers::floats : Hierarchy::Numbers::doubles;
-    GroupOrder order = order_of(list.spheres(), numbers, hierarchy, threads_);
+    GroupOrder order = order_of(list.spheres(), numbers, origin_, hierarchy, threads_);
     if (order.hierarchy) {
       EngineFacts& facts = out_.facts;
       facts.hierarchy_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -316,7 +318,7 @@ class Builder {
          {&spheres.center.x, &spheres.center.y, &spheres.center.z, &spheres.radius, &spheres.reach})
       numbers->resize(count, none);
     spheres.id.resize(count, no_geometry);
-    out_.surfaces.numbers.resize((out_.planes.point.size() + count) * surface_columns);
+    out_.surfaces.numbers.resize((out_.planes.size() + count) * surface_columns);
   }
 
   void set_sphere(std::size_t place, const SphereList& list, std::size_t i) {
@@ -325,17 +327,18 @@ class Builder {
     const auto [batch, at] = list[i];
     const Sphere& sphere = batch.spheres[at];
     Spheres<T>& spheres = out_.spheres;
-    spheres.center.x[place] = static_cast<T>(sphere.center.x);
-    spheres.center.y[place] = static_cast<T>(sphere.center.y);
-    spheres.center.z[place] = static_cast<T>(sphere.center.z);
+    spheres.center.x[place] = static_cast<T>(sphere.center.x - origin_.x);
+    spheres.center.y[place] = static_cast<T>(sphere.center.y - origin_.y);
+    spheres.center.z[place] = static_cast<T>(sphere.center.z - origin_.z);
     spheres.radius[place] = static_cast<T>(sphere.radius);
     spheres.reach[place] = wider * (spheres.radius[place] * spheres.radius[place]);
     spheres.id[place] = batch.first_id + static_cast<GeometryId>(at);
-    set_surface(out_.planes.point.size() + place, batch.color(at), batch.finish);
+    set_surface(out_.planes.size() + place, batch.color(at), batch.finish);
   }
 
   Prepared<T>& out_;
   const Scene& scene_;
+  const Vec3 origin_;
   unsigned threads_;
 };
 
@@ -351,9 +354,11 @@ Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy
   out.settings = settings;
   out.samples = sample_offsets(settings.aa.value_or(by_stage));
   out.adaptive = settings.aa == AntiAliasing::adaptive;
-  out.camera = prepare_camera<T>(scene.camera, settings.size);
+  // Most is seen near the camera, wherever that is: a float would lose there what a double still has.
+  const Vec3 origin = std::is_same_v<T, float> ? scene.camera.position : Vec3(0);
+  out.camera = prepare_camera<T>(scene.camera, origin, settings.size);
   out.background = to<T>(scene.background);
-  Builder<T> builder(out, scene, threads);
+  Builder<T> builder(out, scene, origin, threads);
   builder.add_planes();
   builder.add_spheres(hierarchy);
   builder.note_features();

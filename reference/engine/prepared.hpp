@@ -30,9 +30,9 @@ struct PointArray {
 };
 
 template <class T>
-struct Planes {
-  PointArray<T> point;
-  PointArray<T> normal;  ///< unit, as given
+struct PreparedPlane {
+  Point<T> point;
+  Point<T> normal;  ///< unit, as given
 };
 
 /// Spheres that are searched together. From `begin` up to `loop_end` each is asked; from there the hierarchy says which.
@@ -136,7 +136,7 @@ struct Prepared {
   bool adaptive = false;  ///< only the deciding ones of the samples where these agree
   PreparedCamera<T> camera;
   Point<T> background;
-  Planes<T> planes;
+  std::vector<PreparedPlane<T>> planes;
   Spheres<T> spheres;
   Table<T, surface_columns> surfaces;  ///< by place
   Table<T, finish_columns> finishes;

@@ -15,10 +15,10 @@ class NearestSearch {
 
   Nearest<V> nearest_surface(const Ray<V>& ray, Mask lanes) const {
     Nearest<V> best = {V(std::numeric_limits<T>::infinity()), Index(-1)};
-    for (std::size_t i = 0; i < scene_.planes.point.size(); ++i) {
-      const V t =
-          plane_distance(ray.origin, ray.direction, spread<V>(scene_.planes.point[i]), spread<V>(scene_.planes.normal[i]));
-      const Index place(static_cast<Whole>(i));
+    for (Whole i = 0; i < spheres_.plane_count(); ++i) {
+      const PreparedPlane<T>& plane = scene_.planes[static_cast<std::size_t>(i)];
+      const V t = plane_distance(ray.origin, ray.direction, spread<V>(plane.point), spread<V>(plane.normal));
+      const Index place(i);
       const Mask closer = lanes & (t >= V(0)) & (t < best.t) & !(ray.leaves == place);
       best.t = select(closer, t, best.t);
       best.place = select(closer, place, best.place);
@@ -38,7 +38,7 @@ class NearestSearch {
     hit.point = ray.origin + nearest.t * ray.direction;
     if (!places.same())
       on_surfaces(ray, nearest, places, met, hit);
-    else if (places.common() < scene_.planes.normal.size())
+    else if (places.common() < spheres_.plane_count())
       on_plane(ray, places.common(), hit);
     else
       on_sphere(ray, nearest, places, met, hit);
@@ -113,7 +113,8 @@ class NearestSearch {
                                           : scene_.spheres.id[static_cast<std::size_t>(place - spheres_.plane_count())];
   }
 
-  void search_nearest(const Ray<V>& ray, Mask lanes, const Beam<T>& beam, const SphereGroup& group, Nearest<V>& best) const {
+  [[gnu::noinline]] void search_nearest(const Ray<V>& ray, Mask lanes, const Beam<T>& beam, const SphereGroup& group,
+                                        Nearest<V>& best) const {
     const auto limit = [&]() RAYLAB_ATTRIBUTE { return as_limit(greatest_lane(select(lanes, best.t, V(-1)))); };
     const auto visit = [&](std::size_t i) RAYLAB_ATTRIBUTE {
       meet_sphere(ray, lanes, i, best);
@@ -173,8 +174,8 @@ class NearestSearch {
     hit.normal = straightened(select(hit.inside, -outwards, outwards));
   }
 
-  void on_plane(const Ray<V>& ray, std::size_t i, Hit<V>& hit) const {
-    const Vec3<V> normal = spread<V>(scene_.planes.normal[i]);
+  void on_plane(const Ray<V>& ray, Whole i, Hit<V>& hit) const {
+    const Vec3<V> normal = spread<V>(scene_.planes[static_cast<std::size_t>(i)].normal);
     hit.normal = select(dot(normal, ray.direction) > V(0), -normal, normal);
     hit.inside = mask_of<V>(0);
   }
@@ -185,8 +186,8 @@ class NearestSearch {
     hit.inside = mask_of<V>(0);
     const Mask spheres = met & (nearest.place >= Index(spheres_.plane_count()));
     if (any(spheres)) on_sphere(ray, nearest, places, spheres, hit);
-    for (std::size_t i = 0; i < scene_.planes.normal.size(); ++i) {
-      const Mask here = met & (nearest.place == Index(static_cast<Whole>(i)));
+    for (Whole i = 0; i < spheres_.plane_count(); ++i) {
+      const Mask here = met & (nearest.place == Index(i));
       if (none(here)) continue;
       Hit<V> there;
       on_plane(ray, i, there);

@@ -71,9 +71,12 @@ class Sampler {
   static V clamped(V c) { return select(c < V(0), V(0), select(c > V(1), V(1), c)); }
 
   /// The mean of the samples of the pixels whose centers are at (x, y), not yet clamped.
-  Vec3<V> pixel(V x, V y, Mask lanes) {
-    if (scene_.adaptive) return adaptive_pixel(x, y, lanes);
+  RAYLAB_INLINE Vec3<V> pixel(V x, V y, Mask lanes) {
     if (scene_.samples.size() == 1) return primary(x, y, lanes);  // through the center
+    return scene_.adaptive ? adaptive_pixel(x, y, lanes) : mean_pixel(x, y, lanes);
+  }
+
+  [[gnu::noinline]] Vec3<V> mean_pixel(V x, V y, Mask lanes) {
     Vec3<V> sum = zero<V>();
     for (const SampleOffset& offset : scene_.samples) sum = sum + sample(x, y, offset, lanes);
     return V(T(1) / static_cast<T>(scene_.samples.size())) * sum;

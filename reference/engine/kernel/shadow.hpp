@@ -41,8 +41,8 @@ class ShadowSearch {
 
   Mask not_behind_planes(const Hit<V>& hit, const LightPlanes& planes, Mask asked) const {
     for (const auto& [i, side] : planes.between) {
-      const auto plane = static_cast<std::size_t>(i);
-      const V height = dot(hit.point - spread<V>(scene_.planes.point[plane]), spread<V>(scene_.planes.normal[plane]));
+      const PreparedPlane<T>& plane = scene_.planes[static_cast<std::size_t>(i)];
+      const V height = dot(hit.point - spread<V>(plane.point), spread<V>(plane.normal));
       const Mask behind = (side > 0 ? height <= V(0) : height >= V(0)) & !(hit.place == Index(static_cast<Whole>(i)));
       asked = asked & !behind;
     }
@@ -63,7 +63,7 @@ class ShadowSearch {
     return meeting.met & (meeting.t < light.distance);
   }
 
-  Mask search_unblocked(const Hit<V>& hit, const Seen<V>& light, const Beam<T>& beam, Mask open) const {
+  [[gnu::noinline]] Mask search_unblocked(const Hit<V>& hit, const Seen<V>& light, const Beam<T>& beam, Mask open) const {
     const float longest = as_limit(greatest_lane(select(open, light.distance, V(-1))));
     const auto limit = [&]() RAYLAB_ATTRIBUTE { return any(open) ? longest : -1.0f; };
     const auto visit = [&](std::size_t i) RAYLAB_ATTRIBUTE {

@@ -20,8 +20,7 @@ class SphereSearch {
   using Row = SingleOf<V>;  ///< spheres side by side, that one ray or beam asks
   static_assert(Lanes<Row>::count <= Spheres<T>::padding);
 
-  explicit SphereSearch(const Prepared<T>& scene)
-      : scene_(scene), plane_count_(static_cast<Whole>(scene.planes.point.size())) {}
+  explicit SphereSearch(const Prepared<T>& scene) : scene_(scene), plane_count_(static_cast<Whole>(scene.planes.size())) {}
 
   Whole plane_count() const { return plane_count_; }
 
@@ -42,7 +41,7 @@ class SphereSearch {
   /// Each lane's sphere; the first one in the lanes that have none.
   Ball<V> balls_at(const Places<V>& places, Mask lanes) const {
     if (places.same()) {
-      const std::size_t sphere = places.common() - static_cast<std::size_t>(plane_count_);
+      const auto sphere = static_cast<std::size_t>(places.common() - plane_count_);
       return {center(sphere), V(scene_.spheres.radius[sphere])};
     }
     const Index sphere = sphere_of(places.each(), lanes);

@@ -15,7 +15,7 @@ class Places {
   }
 
   bool same() const { return same_; }
-  std::size_t common() const { return static_cast<std::size_t>(common_); }
+  WholeOf<V> common() const { return common_; }
   IndexOf<V> each() const { return each_; }
 
  private:
