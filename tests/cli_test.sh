@@ -268,6 +268,11 @@ own 0 reference --update --all
 rm own/share/raylab/scenes/more/two.toml
 own 0 reference --update
 check 'the renders of a scene that is gone are removed' test ! -e $renders/01_rays/two.exr
+mkdir own/share/raylab/scenes/hard
+cp own/share/raylab/scenes/one.toml own/share/raylab/scenes/hard/three.toml
+own 0 reference --update
+prints '1 references rendered, 5 in all'
+check 'a hard scene has a reference at the last stage' test -e $renders/07_ssaa/three.exr
 cp $renders/01_rays/one.exr $renders/02_intersections/one.exr
 own 1 reference --check
 says '02_intersections/one.exr: is not the file that the manifest lists'

@@ -22,11 +22,14 @@ using namespace raylab::test;
 
 namespace {
 
+enum class Hard { with, without };  // the scenes of scenes/hard
+
 using Visit = std::function<void(const Scene&, const Reference&)>;
 
-void for_each_reference(const Visit& visit) {
+void for_each_reference(Hard hard, const Visit& visit) {
   const std::filesystem::path manifest = data_folder(manifest_file);
   for (const SceneEntry& entry : read_manifest(manifest).scenes) {
+    if (hard == Hard::without && is_hard(entry.sources.front().file)) continue;
     const SceneFile file = read_scene(data_folder(entry.sources.front().file));
     REQUIRE(file.scene.has_value());
     for (const ReferenceEntry& at : entry.references) {
@@ -107,7 +110,7 @@ Scene flake() {
 }  // namespace
 
 TEST_CASE("engine: in double every pixel is its reference but for rounding", "[engine]") {
-  for_each_reference([](const Scene& scene, const Reference& reference) {
+  for_each_reference(Hard::with, [](const Scene& scene, const Reference& reference) {
     const Image image = draw_as(reference, scene, Precision::f64);
     std::size_t judged = 0, beyond = 0;
     for (std::size_t k = 0; k < image.pixels.size(); ++k) {
@@ -121,8 +124,9 @@ TEST_CASE("engine: in double every pixel is its reference but for rounding", "[e
   });
 }
 
+// What float makes of the hard scenes is measured, and not promised: docs/hard_scenes.md.
 TEST_CASE("engine: in float every picture is its reference to 65 dB but for flips", "[engine]") {
-  for_each_reference([](const Scene& scene, const Reference& reference) {
+  for_each_reference(Hard::without, [](const Scene& scene, const Reference& reference) {
     const std::vector<double> errors = errors_of(draw_as(reference, scene, Precision::f32), reference.value);
     std::vector<double> judged;
     std::size_t flips = 0;

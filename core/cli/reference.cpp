@@ -58,7 +58,7 @@ class ReferenceMaker {
       SceneEntry entry{subject.name, {}, {}};
       for (const fs::path& source : subject.sources) entry.sources.push_back(hashed(source));
       const bool fresh = same(old.sources, entry.sources) && !options_.all;
-      for (const int stage : stages_that_change(subject.scene, options_.threads)) {
+      for (const int stage : stages_of(subject)) {
         const ReferenceEntry* kept = fresh ? entry_of(old, stage) : nullptr;
         if (kept && holds(*kept)) {
           entry.references.push_back(*kept);
@@ -123,6 +123,13 @@ class ReferenceMaker {
     for (const fs::path& table : read.tables) subject.sources.push_back(fs::relative(table, data_));
     subject.sources.push_back("docs/model.md");
     return subject;
+  }
+
+  /// Of a hard scene only the last, the whole picture: it is there for its arithmetic, not for the stages.
+  std::vector<int> stages_of(const Subject& subject) const {
+    std::vector<int> stages = stages_that_change(subject.scene, options_.threads);
+    if (is_hard(subject.sources.front())) stages.erase(stages.begin(), stages.end() - 1);
+    return stages;
   }
 
   static bool same(const std::vector<HashedFile>& a, const std::vector<HashedFile>& b) {

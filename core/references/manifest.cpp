@@ -130,6 +130,8 @@ const SceneEntry* find_scene(const Manifest& manifest, std::string_view scene) {
   return found == manifest.scenes.end() ? nullptr : &*found;
 }
 
+bool is_hard(const fs::path& scene) { return scene.parent_path() == fs::path("scenes") / "hard"; }
+
 const ReferenceEntry* find_reference(const SceneEntry& scene, int stage) {
   const ReferenceEntry* last = nullptr;
   for (const ReferenceEntry& entry : scene.references)

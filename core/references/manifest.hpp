@@ -52,6 +52,10 @@ std::vector<std::string> broken_promises(const std::filesystem::path& data, cons
 /// The entry of a scene, by its name ("scene3") or file ("scenes/scene3.toml"); null if there is none.
 const SceneEntry* find_scene(const Manifest& manifest, std::string_view scene);
 
+/// Is a scene file, relative to the data folder, one of scenes/hard? Those compare arithmetic: no tolerance is calibrated
+/// and nobody is graded with them, and their only references are those of the last stage.
+bool is_hard(const std::filesystem::path& scene);
+
 /// The last reference up to a stage: later stages do not change the image. Null if there is none.
 const ReferenceEntry* find_reference(const SceneEntry& scene, int stage);
 
