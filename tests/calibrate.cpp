@@ -3,27 +3,23 @@
 // stage. Prints the page docs/calibration.md; exit code 1 if anything is nearer to the limit than that.
 //   raylab-calibrate [quick]      quick: of each mistake, the first scene that shows it is enough
 
-#include "core/image/data_folder.hpp"
 #include "core/image/diff.hpp"
 #include "core/image/image_file.hpp"
-#include "core/image/reference_file.hpp"
-#include "core/references/manifest.hpp"
-#include "core/render/render.hpp"
 #include "core/render/stages_engine.hpp"
-#include "core/scene/read_scene.hpp"
 #include "reference/engine/engine.hpp"
 #include "tests/mistakes/mistakes.hpp"
+#include "tests/subjects.hpp"
 #include "tests/variants/handout_renderer.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 extern "C" const raylab::ExportedTasks* raylab_tasks_solution();
@@ -36,34 +32,12 @@ namespace {
 constexpr double most_of_right = 1.0 / 3;
 constexpr double least_of_wrong = 2;
 
-struct Subject {
-  std::string scene;
-  Scene world;
-  Reference reference;
-};
+using Subjects = std::map<int, std::vector<Subject>>;  // by their stage
 
-/// All references, by their stage.
-std::map<int, std::vector<std::unique_ptr<Subject>>> load_subjects() {
-  std::map<int, std::vector<std::unique_ptr<Subject>>> subjects;
-  const Manifest manifest = read_manifest(data_folder(manifest_file));
-  const std::filesystem::path renders = data_folder(manifest_file).parent_path();
-  for (const SceneEntry& scene : manifest.scenes) {
-    const SceneFile file = read_scene(data_folder(scene.sources.front().file));
-    for (const ReferenceEntry& entry : scene.references)
-      subjects[entry.stage].push_back(
-          std::make_unique<Subject>(Subject{scene.name, file.scene.value(), read_reference(renders / entry.exr.file)}));
-  }
+Subjects subjects_by_stage() {
+  Subjects subjects;
+  for (Subject& subject : load_subjects(false)) subjects[subject.reference.stage].push_back(std::move(subject));
   return subjects;
-}
-
-using MakeEngine = std::function<std::unique_ptr<Engine>(const Scene&, const Settings&)>;
-
-Image rendered(const Subject& subject, const MakeEngine& make) {
-  const Settings settings{subject.reference.stage,
-                          {subject.reference.value.width, subject.reference.value.height},
-                          subject.world.max_bounces,
-                          {}};
-  return render_image(*make(subject.world, settings), settings.size, 2);
 }
 
 Image in_8_bits(const Image& image) {
@@ -146,13 +120,13 @@ struct Row {
   std::string scene;
 };
 
-Row measure_right(const Right& right, const std::map<int, std::vector<std::unique_ptr<Subject>>>& subjects) {
+Row measure_right(const Right& right, const Subjects& subjects) {
   Row row{right.name, {}, "-"};
   for (const auto& [stage, list] : subjects)
     for (const auto& subject : list) {
-      const Scores scores = scores_of(*subject, rendered(*subject, right.make));
+      const Scores scores = scores_of(subject, rendered(subject, right.make));
       if (std::max(scores.floats, scores.bytes) > std::max(row.worst.floats, row.worst.bytes))
-        row.scene = subject->scene + ", stage " + std::to_string(stage);
+        row.scene = subject.scene + ", stage " + std::to_string(stage);
       row.worst.floats = std::max(row.worst.floats, scores.floats);
       row.worst.bytes = std::max(row.worst.bytes, scores.bytes);
     }
@@ -163,19 +137,18 @@ double smaller(const Scores& scores) { return std::min(scores.floats, scores.byt
 
 /// On the references of the mistake's stage, or, where those cannot show it (a normal, say, in a picture of flat colors), on
 /// those of the next stage that can. Stops at the first scene that shows it in both formats, if `quick`.
-Row measure_mistake(const Mistake& mistake, const std::map<int, std::vector<std::unique_ptr<Subject>>>& subjects,
-                    bool quick) {
+Row measure_mistake(const Mistake& mistake, const Subjects& subjects, bool quick) {
   StageTable table = import_tasks(*raylab_tasks_solution());
   mistake.put_into(table);
   Row row{std::string(mistake.task) + " " + std::string(mistake.name), {-1, -1}, "-"};
   for (auto stage = subjects.lower_bound(stage_of(mistake.task)); stage != subjects.end() && smaller(row.worst) <= 0;
        ++stage)
     for (const auto& subject : stage->second) {
-      const Image image = rendered(*subject, [&](const Scene& s, const Settings& c) { return make_stages(s, c, table); });
-      const Scores scores = scores_of(*subject, image);
+      const Image image = rendered(subject, [&](const Scene& s, const Settings& c) { return make_stages(s, c, table); });
+      const Scores scores = scores_of(subject, image);
       if (smaller(scores) > smaller(row.worst)) {
         row.worst = scores;
-        row.scene = subject->scene + ", stage " + std::to_string(stage->first);
+        row.scene = subject.scene + ", stage " + std::to_string(stage->first);
       }
       if (quick && smaller(row.worst) >= least_of_wrong) break;
     }
@@ -194,15 +167,15 @@ bool print(const Row& row, bool holds) {
 
 int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::string(argv[1]) == "quick";
-  const auto subjects = load_subjects();
+  const Subjects subjects = subjects_by_stage();
   std::size_t passed = 0, failed = 0;
   const auto count = [&](bool holds) { ++(holds ? passed : failed); };
 
   std::cout
       << "# Calibration\n\n"
          "How far the limits of [the tolerance](tolerance.md) are from right renderers and from known mistakes, over all\n"
-         "checked-in references. A score of 1 is the limit. Made by `build/release/bin/raylab-calibrate "
-         ">docs/calibration.md`.\n\n"
+         "checked-in references but those of [the hard scenes](hard_scenes.md). A score of 1 is the limit.\n"
+         "Made by `build/release/bin/raylab-calibrate >docs/calibration.md`.\n\n"
          "## Right renderers\n\n"
          "The greatest score over all references, and where; at most 1/3 is wanted.\n\n"
          "| renderer | nearest to the limit | floats | 8 bits |\n|---|---|---|---|\n";

@@ -57,21 +57,23 @@ Image heat_map(const Comparison& comparison) {
   return map;
 }
 
-Image side_by_side(const Image& image, const Reference& reference, const Comparison& comparison) {
-  const int scale = std::max(1, panel_size / std::max(image.width, image.height));
-  const int across = image.width * scale + gap;
-  Image page(gap + 3 * across, gap + label_height + image.height * scale + gap, paper);
-  const Image& value = comparison.clamped_each ? reference.each->value : reference.value;
-  const std::array panels{std::pair{"image", &image}, std::pair{"reference", &value}};
+Image in_a_row(const std::vector<Panel>& panels) {
+  const Image& first = panels.front().image;
+  const int scale = std::max(1, panel_size / std::max(first.width, first.height));
+  const int across = first.width * scale + gap;
+  Image page(gap + static_cast<int>(panels.size()) * across, gap + label_height + first.height * scale + gap, paper);
   int column = gap;
-  for (const auto& [label, panel] : panels) {
+  for (const auto& [label, image] : panels) {
     draw_label(page, column, gap, label, ink, label_scale);
-    paste(page, *panel, column, gap + label_height, scale);
+    paste(page, image, column, gap + label_height, scale);
     column += across;
   }
-  draw_label(page, column, gap, "error 1e-4 to 1", ink, label_scale);
-  paste(page, heat_map(comparison), column, gap + label_height, scale);
   return page;
+}
+
+Image side_by_side(const Image& image, const Reference& reference, const Comparison& comparison) {
+  const Image& value = comparison.clamped_each ? reference.each->value : reference.value;
+  return in_a_row({{"image", image}, {"reference", value}, {"error 1e-4 to 1", heat_map(comparison)}});
 }
 
 }  // namespace raylab

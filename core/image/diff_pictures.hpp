@@ -2,6 +2,7 @@
 
 #include "core/image/diff.hpp"
 
+#include <string_view>
 #include <vector>
 
 namespace raylab {
@@ -16,6 +17,15 @@ double heat_level(double error);
 /// does not occur there, non_finite_color.
 Image heat_map(const Comparison& comparison);
 inline const Color non_finite_color(0.0, 1.0, 1.0);
+
+/// An image with its label, for as long as both live.
+struct Panel {
+  std::string_view label;
+  const Image& image;
+};
+
+/// Images of one size beside one another, small ones enlarged by a whole factor, with their labels above.
+Image in_a_row(const std::vector<Panel>& panels);
 
 /// Image, reference and heat map beside one another, small ones enlarged by a whole factor, with labels.
 Image side_by_side(const Image& image, const Reference& reference, const Comparison& comparison);
