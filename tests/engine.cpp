@@ -147,7 +147,7 @@ class HierarchyCheck {
 };
 
 void check_hierarchy(const std::vector<Sphere>& spheres) {
-  fast::Hierarchy hierarchy(spheres, fast::Hierarchy::Numbers::doubles, 1);
+  fast::Hierarchy hierarchy(spheres, fast::Hierarchy::Numbers::doubles, Vec3(0), 1);
   HierarchyCheck(spheres, hierarchy).run();
 }
 
@@ -384,8 +384,8 @@ TEST_CASE("hierarchy: any spheres: all in one place, on a line, far apart in siz
 
 TEST_CASE("hierarchy: the same for any number of threads", "[engine]") {
   const std::vector<Sphere> spheres = random_spheres(30000, 6);
-  fast::Hierarchy alone(spheres, fast::Hierarchy::Numbers::doubles, 1);
-  fast::Hierarchy together(spheres, fast::Hierarchy::Numbers::doubles, 5);
+  fast::Hierarchy alone(spheres, fast::Hierarchy::Numbers::doubles, Vec3(0), 1);
+  fast::Hierarchy together(spheres, fast::Hierarchy::Numbers::doubles, Vec3(0), 5);
   CHECK(alone.take_order() == together.take_order());
   REQUIRE(alone.nodes().size() == together.nodes().size());
   CHECK(std::equal(alone.nodes().begin(), alone.nodes().end(), together.nodes().begin(),

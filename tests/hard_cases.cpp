@@ -90,6 +90,13 @@ void accumulate(const Case& c) {
   check_value(c, d.x / -d.z, c.expected("offset"));
 }
 
+void field_of_view(const Case& c) {
+  const Camera camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, c.input("theta")};
+  const Vec3 d =
+      table().camera_ray(camera, static_cast<int>(c.input("w")), static_cast<int>(c.input("h")), 1, 1, 0, 0).direction;
+  check_value(c, d.x / -d.z, c.expected("slope"));
+}
+
 void half_right_angle(const Case& c) {
   const std::string theta = text(c.input("theta64") * 180 / pi);  // 90 degrees, but for rounding
   CHECK(refused("half_field_of_view = 90\n"));
@@ -441,6 +448,7 @@ const std::map<std::string, std::function<void(const Case&)>> tests = {
     {"pixel_offset_exact", [](const Case&) { CHECK(refused("[image]\nwidth = 33554433\n")); }},  // 65536 at most
     {"accumulate", accumulate},
     {"tan", half_right_angle},
+    {"field_of_view", field_of_view},
     {"segment_plane", plane},
     {"plane_s", plane},
     {"sphere_t", sphere_t},

@@ -36,6 +36,12 @@ Vec3 exact_cross(const Vec3& a, const Vec3& b) {
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
+/// tan(theta), by way of the smaller angle of the triangle: in radians a large one has lost what it is short of 90 degrees.
+double tangent(double theta) {
+  constexpr double degree = std::numbers::pi / 180;
+  return theta > 45 ? 1 / std::tan((90 - theta) * degree) : std::tan(theta * degree);
+}
+
 /// `right` comes from the vectors as given, not from their rounded unit vectors: where `up` is almost along `facing`, that
 /// rounding would turn the picture.
 template <class T>
@@ -43,7 +49,7 @@ PreparedCamera<T> prepare_camera(const Camera& camera, const Vec3& origin, const
   const Vec3 forward = unit(camera.facing);
   const Vec3 right = unit(exact_cross(scaled(camera.facing), scaled(camera.up)));
   const Vec3 up = exact_cross(right, forward);
-  const double pixel = 2 * std::tan(camera.half_field_of_view * std::numbers::pi / 180) / std::max(size.width, size.height);
+  const double pixel = 2 * tangent(camera.half_field_of_view) / std::max(size.width, size.height);
   return {to<T>(camera.position - origin), to<T>(forward), to<T>(pixel * right), to<T>(pixel * up)};
 }
 

@@ -21,6 +21,12 @@ Vec3 accurate_cross(const Vec3& a, const Vec3& b) {
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
+/// tan(theta) of degrees. Near 90 the tangent is as large as what is missing to that is small, and radians have rounded it
+/// away: 90 - theta is exact.
+double tan_of_degrees(double theta) {
+  return theta <= 45 ? std::tan(glm::radians(theta)) : 1 / std::tan(glm::radians(90 - theta));
+}
+
 }  // namespace
 
 // Task 1.1: the ray through a pixel.
@@ -29,8 +35,7 @@ Ray camera_ray(const Camera& camera, int width, int height, double x, double y, 
   const Vec3 r = unit(accurate_cross(scaled(camera.facing), scaled(camera.up)));
   const Vec3 u = cross(r, f);  // the camera's own up vector need not stand at a right angle to f
 
-  const double theta = glm::radians(camera.half_field_of_view);
-  const double s = 2 * std::tan(theta) / std::max(width, height);
+  const double s = 2 * tan_of_degrees(camera.half_field_of_view) / std::max(width, height);
 
   const Vec3 direction = f + (x - 0.5 + dx) * s * r + (y - 0.5 + dy) * s * u;
   return {camera.position, unit(direction), {}};
