@@ -162,3 +162,13 @@ TEST_CASE("engine: in float a flake of 7,381 spheres is that in double to 60 dB"
   REQUIRE(scene.clouds[0].spheres.size() == 7381);
   CHECK(decibels(float_errors(scene, 5)) >= 60);
 }
+
+TEST_CASE("engine: in float a flake that is far from zero is that in double to 60 dB, too", "[engine]") {
+  Scene scene = flake();
+  const Vec3 away(3e6, -1e6, 2e6);
+  scene.camera.position += away;
+  scene.planes[0].shape.point += away;
+  for (PointLight& light : scene.point_lights) light.position += away;
+  for (Sphere& ball : scene.clouds[0].spheres) ball.center += away;
+  CHECK(decibels(float_errors(scene, 5)) >= 60);
+}

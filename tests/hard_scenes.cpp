@@ -137,8 +137,8 @@ but -2.3e7, and the picture is upside down and 25 times too large.
 *What goes wrong.* Floats are 1/16 apart there. The epsilon of 0.001 vanishes when it is added to a point, and the point is as likely in the
 ball as out of it: rings and steps of shadow. In `double`, 1e-10 apart, the textbook is right.
 
-*What cures it.* No epsilon. The engine in `float` keeps every ball round, since `f = o - C` is nearly without error, and no surface shadows
-itself. What is left are the roundings of the scene itself, by up to 1/32, and edges of shadows in steps of 1/16.)"},
+*What cures it.* No epsilon, so that no surface shadows itself. And a change of place: for a camera that is far from zero the engine subtracts
+its position from all others, in `double`, before it rounds them to `float`: `origin_of()` in `reference/engine/prepared.cpp`.)"},
 };
 
 struct Renderer {

@@ -25,6 +25,17 @@ Point<T> to(const Vec3& v) {
   return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
 }
 
+double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// Where positions are seen from. A camera far from zero sees, next to it, what a float has no bits for: then from the
+/// camera. Else from zero: that takes nothing from numbers that are round as given, such as center and radius of a giant
+/// floor.
+template <class T>
+Vec3 origin_of(const Camera& camera) {
+  constexpr double far = 1024;
+  return std::is_same_v<T, float> && largest_component(camera.position) > far ? camera.position : Vec3(0);
+}
+
 /// a b - c d to two roundings of the result, however close the products are (Kahan).
 double difference_of_products(double a, double b, double c, double d) {
   const double cd = c * d;
@@ -144,8 +155,6 @@ class SphereList {
   std::size_t size_ = 0;
   std::vector<Sphere> joined_;  // where one batch is not all
 };
-
-double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// The spheres that a hierarchy should not have: those that floats cannot hold, and, up to eight of them, the largest whose
 /// radius is beyond half of what all centers span: a box around such a ground would be a box around everything.
@@ -360,8 +369,7 @@ Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy
   out.settings = settings;
   out.samples = sample_offsets(settings.aa.value_or(by_stage));
   out.adaptive = settings.aa == AntiAliasing::adaptive;
-  // Most is seen near the camera, wherever that is: a float would lose there what a double still has.
-  const Vec3 origin = std::is_same_v<T, float> ? scene.camera.position : Vec3(0);
+  const Vec3 origin = origin_of<T>(scene.camera);
   out.camera = prepare_camera<T>(scene.camera, origin, settings.size);
   out.background = to<T>(scene.background);
   Builder<T> builder(out, scene, origin, threads);
