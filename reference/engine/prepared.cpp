@@ -53,17 +53,6 @@ double tangent(double theta) {
   return theta > 45 ? 1 / std::tan((90 - theta) * degree) : std::tan(theta * degree);
 }
 
-/// `right` comes from the vectors as given, not from their rounded unit vectors: where `up` is almost along `facing`, that
-/// rounding would turn the picture.
-template <class T>
-PreparedCamera<T> prepare_camera(const Camera& camera, const Vec3& origin, const ImageSize& size) {
-  const Vec3 forward = unit(camera.facing);
-  const Vec3 right = unit(exact_cross(scaled(camera.facing), scaled(camera.up)));
-  const Vec3 up = exact_cross(right, forward);
-  const double pixel = 2 * tangent(camera.half_field_of_view) / std::max(size.width, size.height);
-  return {to<T>(camera.position - origin), to<T>(forward), to<T>(pixel * right), to<T>(pixel * up)};
-}
-
 /// The sign of a.b; 0 where rounding `a`, `b` and the sum may have made an exact zero into this.
 std::int8_t sign_of_dot(const Vec3& a, const Vec3& b) {
   const double size = std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z);
@@ -278,20 +267,7 @@ class Builder {
   std::size_t finish_count() const { return out_.finishes.rows(); }
 
   void add_finish(const Material& material) {
-    const double k_s = std::tanh(material.shininess / 400);  // the handout's quotient, free of cancellation at small alpha
-    const double n = material.refractive_index;
-    const double r = (1 - n) / (1 + n);
-    const bool perfect = std::isinf(material.shininess);
-    const bool glass = out_.settings.stage >= 6 && material.transparent;
-    std::array<double, finish_columns> row{};
-    row[alpha] = perfect ? 0 : material.shininess;
-    row[strength] = perfect ? 0 : k_s;
-    row[mirror] = out_.settings.stage >= 5 && !glass ? k_s : 0;
-    row[is_glass] = glass ? 1 : 0;
-    row[ior] = n;
-    row[ior_squared_minus_1] = (n - 1) * (n + 1);
-    row[r0] = r * r;
-    for (const double number : row) out_.finishes.numbers.push_back(static_cast<T>(number));
+    for (const T number : finish_of<T>(material, out_.settings.stage)) out_.finishes.numbers.push_back(number);
   }
 
   void set_surface(std::size_t place, const Color& color, std::size_t finish_row) {
@@ -360,6 +336,35 @@ class Builder {
 }  // namespace
 
 template <class T>
+PreparedCamera<T> prepare_camera(const Camera& camera, const Vec3& origin, const ImageSize& size) {
+  const Vec3 forward = unit(camera.facing);
+  // From the vectors as given, not from their rounded unit vectors: where `up` is almost along `facing`, that rounding would
+  // turn the picture.
+  const Vec3 right = unit(exact_cross(scaled(camera.facing), scaled(camera.up)));
+  const Vec3 up = exact_cross(right, forward);
+  const double pixel = 2 * tangent(camera.half_field_of_view) / std::max(size.width, size.height);
+  return {to<T>(camera.position - origin), to<T>(forward), to<T>(pixel * right), to<T>(pixel * up)};
+}
+
+template <class T>
+std::array<T, finish_columns> finish_of(const Material& material, int stage) {
+  const double k_s = std::tanh(material.shininess / 400);  // the handout's quotient, free of cancellation at small alpha
+  const double n = material.refractive_index;
+  const double r = (1 - n) / (1 + n);
+  const bool perfect = std::isinf(material.shininess);
+  const bool glass = stage >= 6 && material.transparent;
+  std::array<T, finish_columns> row{};
+  row[alpha] = static_cast<T>(perfect ? 0 : material.shininess);
+  row[strength] = static_cast<T>(perfect ? 0 : k_s);
+  row[mirror] = static_cast<T>(stage >= 5 && !glass ? k_s : 0);
+  row[is_glass] = glass ? 1 : 0;
+  row[ior] = static_cast<T>(n);
+  row[ior_squared_minus_1] = static_cast<T>((n - 1) * (n + 1));
+  row[r0] = static_cast<T>(r * r);
+  return row;
+}
+
+template <class T>
 Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy, unsigned threads) {
   if (settings.max_bounces > static_cast<int>(most_bounces))
     throw std::invalid_argument("max_bounces: " + std::to_string(settings.max_bounces) + " is more than 100");
@@ -380,6 +385,10 @@ Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy
   return out;
 }
 
+template PreparedCamera<float> prepare_camera(const Camera&, const Vec3&, const ImageSize&);
+template PreparedCamera<double> prepare_camera(const Camera&, const Vec3&, const ImageSize&);
+template std::array<float, finish_columns> finish_of(const Material&, int);
+template std::array<double, finish_columns> finish_of(const Material&, int);
 template Prepared<float> prepare(const Scene&, const Settings&, bool, unsigned);
 template Prepared<double> prepare(const Scene&, const Settings&, bool, unsigned);
 

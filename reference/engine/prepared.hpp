@@ -3,6 +3,7 @@
 #include "core/render/engine.hpp"
 #include "reference/engine/hierarchy.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -146,6 +147,14 @@ struct Prepared {
   Features features;
   EngineFacts facts;
 };
+
+/// A camera as it is seen from `origin`.
+template <class T>
+PreparedCamera<T> prepare_camera(const Camera& camera, const Vec3& origin, const ImageSize& size);
+
+/// The row of a material in the table of finishes.
+template <class T>
+std::array<T, finish_columns> finish_of(const Material& material, int stage);
 
 /// `hierarchy` false: none, however many spheres there are. `threads` build it. Throws std::invalid_argument if T is float
 /// and the scene is out of its range (see make_fast).

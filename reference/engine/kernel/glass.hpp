@@ -57,12 +57,18 @@ struct Refracted {
   Vec3<V> direction;
 };
 
+/// g, the difference of the two cosines, by way of their sum; 0 for a grazing ray at n = 1, where both are.
+template <class V>
+RAYLAB_INLINE V bend(const Glass<V>& glass, V cosines) {
+  return glass.n_squared_minus_1 / greatest(cosines, V(std::numeric_limits<NumberOf<V>>::min()));
+}
+
 /// Through a sphere of center `c`, in and out, in closed form: the exit point is opposite in the plane of incidence, and the
 /// ray is turned by g towards each of the two normals alike.
 template <class V>
 RAYLAB_INLINE Refracted<V> through_sphere(const Refraction<V>& in, const Vec3<V>& d, const Vec3<V>& n, const Vec3<V>& c,
                                           V radius, const Glass<V>& glass) {
-  const V g = glass.n_squared_minus_1 / (in.q + in.cosine);
+  const V g = bend(glass, in.q + in.cosine);
   const V inverse_n = V(1) / glass.n;
   const Vec3<V> inside = inverse_n * (d - g * n);          // T, the direction in the glass
   const Vec3<V> middle = n + (in.q * inverse_n) * inside;  // half way between the normals of entry and exit
@@ -74,7 +80,7 @@ RAYLAB_INLINE Refracted<V> through_sphere(const Refraction<V>& in, const Vec3<V>
 template <class V>
 RAYLAB_INLINE Refracted<V> out_of_sphere(const Refraction<V>& out, const Vec3<V>& d, const Vec3<V>& n, const Vec3<V>& p,
                                          const Glass<V>& glass) {
-  const V g = glass.n_squared_minus_1 / (glass.n * out.cosine + out.q);
+  const V g = bend(glass, glass.n * out.cosine + out.q);
   return {p, straightened(glass.n * d + g * n)};
 }
 

@@ -2,6 +2,31 @@
 
 namespace raylab::fast::RAYLAB_TARGET {
 
+/// Where the light of a point comes from.
+template <class V>
+struct PointSeen {
+  Vec3<V> l;  ///< unit, towards it; something else where `distance` is 0
+  V distance;
+  V fall_off;  ///< 1 / (1 + distance)
+};
+
+/// By one division for both 1/r and 1/(1 + r).
+template <class V>
+RAYLAB_INLINE PointSeen<V> see_point(const Vec3<V>& from, const Vec3<V>& light) {
+  const Vec3<V> way = light - from;
+  const V r = square_root(dot(way, way));
+  const V beyond = V(1) + r;
+  const V inverse = V(1) / (r * beyond);
+  return {(inverse * beyond) * way, r, inverse * r};
+}
+
+/// Light beyond the largest number is infinite, but black stays black.
+template <class V>
+RAYLAB_INLINE Vec3<V> tinted(V light, const Vec3<V>& color) {
+  const auto part = [light](V c) RAYLAB_ATTRIBUTE { return select(c > V(0), light * c, V(0)); };
+  return {part(color.x), part(color.y), part(color.z)};
+}
+
 /// All light that surfaces send back, but for what mirrors and glass show.
 template <class V>
 class Lighting {
@@ -18,15 +43,10 @@ class Lighting {
     V sum(scene_.ambient);
     const Area<T> area = scene_.features.shadows ? area_of(hit.point, lit) : Area<T>{};
     for (const PreparedPointLight<T>& light : scene_.point_lights) {
-      const Vec3<V> way = spread<V>(light.position) - hit.point;
-      const V r = square_root(dot(way, way));
-      // One division for both 1/r and 1/(1 + r).
-      const V beyond = V(1) + r;
-      const V inverse = V(1) / (r * beyond);
-      const V fall_off = inverse * r;
-      const Seen<V> seen = {(inverse * beyond) * way, r, light.planes};
-      const V strength = V(light.intensity) * (fall_off * fall_off);
-      sum = sum + light_from(seen, strength, hit, area, d, look, lit & (r > V(0)), counts);
+      const PointSeen<V> point = see_point(hit.point, spread<V>(light.position));
+      const V strength = V(light.intensity) * (point.fall_off * point.fall_off);
+      sum = sum + light_from({point.l, point.distance, light.planes}, strength, hit, area, d, look,
+                             lit & (point.distance > V(0)), counts);
     }
     for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {
       const Seen<V> seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.planes};

@@ -12,6 +12,13 @@ struct Ray {
   MaskOf<V> inwards;
 };
 
+/// Of the primary rays through (x, y), in pixels from the image's center: unit vectors.
+template <class V>
+RAYLAB_INLINE Vec3<V> camera_direction(const PreparedCamera<NumberOf<V>>& camera, V x, V y) {
+  const Vec3<V> towards = spread<V>(camera.forward) + x * spread<V>(camera.right) + y * spread<V>(camera.up);
+  return (V(1) / square_root(dot(towards, towards))) * towards;
+}
+
 /// The nearest surface that a ray meets.
 template <class V>
 struct Nearest {

@@ -67,9 +67,6 @@ class Sampler {
     }
   }
 
-  /// A NaN stays one: the program counts and reports it.
-  static V clamped(V c) { return select(c < V(0), V(0), select(c > V(1), V(1), c)); }
-
   /// The mean of the samples of the pixels whose centers are at (x, y), not yet clamped.
   RAYLAB_INLINE Vec3<V> pixel(V x, V y, Mask lanes) {
     if (scene_.samples.size() == 1) return primary(x, y, lanes);  // through the center
@@ -148,11 +145,9 @@ class Sampler {
 
   RAYLAB_INLINE Vec3<V> primary(V x, V y, Mask lanes) {
     counts_.primary += count(lanes);
-    const PreparedCamera<T>& camera = scene_.camera;
-    const Vec3<V> towards = spread<V>(camera.forward) + x * spread<V>(camera.right) + y * spread<V>(camera.up);
-    const Vec3<V> d = (V(1) / square_root(dot(towards, towards))) * towards;
+    const Vec3<V> d = camera_direction(scene_.camera, x, y);
     if (scene_.settings.stage == 1) return V(T(0.5)) * (d + Vec3<V>{V(1), V(1), V(1)});
-    return tracer_.color({spread<V>(camera.position), d, Index(-1), mask_of<V>(0)}, lanes);
+    return tracer_.color({spread<V>(scene_.camera.position), d, Index(-1), mask_of<V>(0)}, lanes);
   }
 
   const Prepared<T>& scene_;

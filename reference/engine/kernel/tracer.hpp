@@ -103,18 +103,11 @@ class Tracer {
     return tinted(lighting_.light_on(hit, from.ray.direction, look, lit, counts_), look.color());
   }
 
-  /// Light beyond the largest number is infinite, but black stays black.
-  static Vec3<V> tinted(V light, const Vec3<V>& color) {
-    const auto part = [light](V c) RAYLAB_ATTRIBUTE { return select(c > V(0), light * c, V(0)); };
-    return {part(color.x), part(color.y), part(color.z)};
-  }
-
   bool goes_on(const Waiting& from) const { return from.bounce < scene_.settings.max_bounces; }
 
   void send_reflected(const Waiting& from, const Hit<V>& hit, V weight, Mask lanes) {
-    const Vec3<V>& d = from.ray.direction;
-    const Vec3<V> away = straightened(d - (V(2) * dot(d, hit.normal)) * hit.normal);
-    send(from, {hit.point, away, hit.place, hit.inside}, weight, lanes, counts_.reflected);
+    send(from, {hit.point, mirrored(from.ray.direction, hit.normal), hit.place, hit.inside}, weight, lanes,
+         counts_.reflected);
   }
 
   /// From glass in the lanes of `glass`, which sends on two rays, and from mirrors in the others.

@@ -43,11 +43,23 @@ RAYLAB_INLINE V greatest(V a, V b) {
   return select(a > b, a, b);
 }
 
+/// From 0 to 1. A NaN stays one: the program counts and reports it.
+template <class V>
+RAYLAB_INLINE V clamped(V a) {
+  return select(a < V(0), V(0), select(a > V(1), V(1), a));
+}
+
 /// `a`, already a unit vector but for a few roundings, with those taken back: one Newton step. Without it the length of a
 /// ray that bounces often would drift.
 template <class V>
 RAYLAB_INLINE Vec3<V> straightened(const Vec3<V>& a) {
   return (V(1.5f) - V(0.5f) * dot(a, a)) * a;
+}
+
+/// The mirror image of a direction at a unit normal.
+template <class V>
+RAYLAB_INLINE Vec3<V> mirrored(const Vec3<V>& d, const Vec3<V>& n) {
+  return straightened(d - (V(2) * dot(d, n)) * n);
 }
 
 }  // namespace raylab::fast::RAYLAB_TARGET
