@@ -93,7 +93,6 @@ struct Tasks {
   static raylab::Color point_light(const PointLight& light, const raylab::Vec3& point, const raylab::Vec3& n,
                                    const raylab::Vec3& v, const Material& material) {
     const PointSeen<T> seen = see_point(in(point), in(light.position));
-    if (!(seen.distance > 0)) return raylab::Color(0);
     const T strength = static_cast<T>(light.intensity) * (seen.fall_off * seen.fall_off);
     return lit(seen.l, in(n), in(v), strength, material.color, material.shininess);
   }
@@ -192,8 +191,7 @@ struct Tasks {
   static std::vector<SampleOffset> sample_positions() { return sample_offsets(AntiAliasing::rotated4); }
 
   static raylab::Color resolve(std::span<const raylab::Color> samples) {
-    V3 sum = zero<T>();
-    for (const raylab::Color& sample : samples) sum = sum + in(sample);
+    const V3 sum = pairwise_sum<T>(samples, [](const raylab::Color& sample) { return in(sample); });
     const V3 mean = (T(1) / static_cast<T>(samples.size())) * sum;
     return {clamped(mean.x), clamped(mean.y), clamped(mean.z)};
   }

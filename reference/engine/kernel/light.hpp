@@ -5,7 +5,7 @@ namespace raylab::fast::RAYLAB_TARGET {
 /// Where the light of a point comes from.
 template <class V>
 struct PointSeen {
-  Vec3<V> l;  ///< unit, towards it; something else where `distance` is 0
+  Vec3<V> l;  ///< unit, towards it; NaN, above no surface, where the light is at the point itself
   V distance;
   V fall_off;  ///< 1 / (1 + distance)
 };
@@ -13,8 +13,17 @@ struct PointSeen {
 /// By one division for both 1/r and 1/(1 + r).
 template <class V>
 RAYLAB_INLINE PointSeen<V> see_point(const Vec3<V>& from, const Vec3<V>& light) {
-  const Vec3<V> way = light - from;
-  const V r = square_root(dot(way, way));
+  using T = NumberOf<V>;
+  Vec3<V> way = light - from;
+  V squared = dot(way, way);
+  const MaskOf<V> near = squared < V(std::numeric_limits<T>::min());
+  if (any(near)) [[unlikely]] {
+    // The square vanishes, and with it the direction. 1 + r is 1 for a larger r, too.
+    constexpr T larger = sizeof(T) == sizeof(float) ? T(0x1p38) : T(0x1p451);
+    way = select(near, V(larger), V(1)) * way;
+    squared = dot(way, way);
+  }
+  const V r = square_root(squared);
   const V beyond = V(1) + r;
   const V inverse = V(1) / (r * beyond);
   return {(inverse * beyond) * way, r, inverse * r};
@@ -45,8 +54,7 @@ class Lighting {
     for (const PreparedPointLight<T>& light : scene_.point_lights) {
       const PointSeen<V> point = see_point(hit.point, spread<V>(light.position));
       const V strength = V(light.intensity) * (point.fall_off * point.fall_off);
-      sum = sum + light_from({point.l, point.distance, light.planes}, strength, hit, area, d, look,
-                             lit & (point.distance > V(0)), counts);
+      sum = sum + light_from({point.l, point.distance, light.planes}, strength, hit, area, d, look, lit, counts);
     }
     for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {
       const Seen<V> seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.planes};

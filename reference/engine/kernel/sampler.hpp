@@ -2,6 +2,14 @@
 
 namespace raylab::fast::RAYLAB_TARGET {
 
+/// The sum of color(element), in pairs, and pairs of pairs: with as many roundings for each as there are levels.
+template <class V, class Element, class Color>
+Vec3<V> pairwise_sum(std::span<const Element> elements, const Color& color) {
+  if (elements.size() == 1) return color(elements[0]);
+  const std::size_t half = elements.size() / 2;
+  return pairwise_sum<V>(elements.first(half), color) + pairwise_sum<V>(elements.subspan(half), color);
+}
+
 /// Samples the pixels of whole rows.
 template <class V>
 class Sampler {
@@ -74,9 +82,10 @@ class Sampler {
   }
 
   [[gnu::noinline]] Vec3<V> mean_pixel(V x, V y, Mask lanes) {
-    Vec3<V> sum = zero<V>();
-    for (const SampleOffset& offset : scene_.samples) sum = sum + sample(x, y, offset, lanes);
-    return V(T(1) / static_cast<T>(scene_.samples.size())) * sum;
+    const std::span<const SampleOffset> samples = scene_.samples;
+    const Vec3<V> sum =
+        pairwise_sum<V>(samples, [&](const SampleOffset& offset) RAYLAB_ATTRIBUTE { return sample(x, y, offset, lanes); });
+    return V(T(1) / static_cast<T>(samples.size())) * sum;
   }
 
   Vec3<V> sample(V x, V y, const SampleOffset& offset, Mask lanes) {
