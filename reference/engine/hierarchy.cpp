@@ -15,18 +15,21 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t shares = 16;  // of work that is divided; the tree must not depend on the number of threads
 
+/// The fourth number is there for compilers, which do four at a time.
+using Float4 = std::array<float, 4>;
+
 struct Box {
-  std::array<float, 3> low{infinity, infinity, infinity};
-  std::array<float, 3> high{-infinity, -infinity, -infinity};
+  Float4 low{infinity, infinity, infinity, infinity};
+  Float4 high{-infinity, -infinity, -infinity, -infinity};
 
   void add(const Box& other) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], other.low[axis]);
-      high[axis] = std::max(high[axis], other.high[axis]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      low[i] = other.low[i] < low[i] ? other.low[i] : low[i];
+      high[i] = other.high[i] > high[i] ? other.high[i] : high[i];
     }
   }
 
-  void add(const std::array<float, 3>& point) { add(Box{point, point}); }
+  void add(const Float4& point) { add(Box{point, point}); }
 
   std::array<float, 3> size() const { return {high[0] - low[0], high[1] - low[1], high[2] - low[2]}; }
 
@@ -165,9 +168,10 @@ struct Leaf {
   Box box;
   std::uint32_t begin, count;
 
-  std::array<float, 3> center() const {
-    return {0.5f * box.low[0] + 0.5f * box.high[0], 0.5f * box.low[1] + 0.5f * box.high[1],
-            0.5f * box.low[2] + 0.5f * box.high[2]};
+  Float4 center() const {
+    Float4 point;
+    for (std::size_t i = 0; i < 4; ++i) point[i] = 0.5f * box.low[i] + 0.5f * box.high[i];
+    return point;
   }
 };
 
@@ -211,9 +215,9 @@ class LeafCutter {
     return half;
   }
 
-  std::array<float, 3> center(Key key) const {
+  Float4 center(Key key) const {
     const Double3 c = components(frame_.spheres[sphere_number(key)].center);
-    std::array<float, 3> point;
+    Float4 point{};
     for (std::size_t axis = 0; axis < 3; ++axis)
       point[axis] = static_cast<float>(c[axis] - frame_.origin[axis] - frame_.middle[axis]);
     return point;
@@ -267,49 +271,55 @@ struct Cut {
 /// Divides groups of leaves by the surface area heuristic: the chance that a ray meets a box is as its surface.
 class Divider {
  public:
-  explicit Divider(std::span<Leaf> leaves) : leaves_(leaves) {
+  explicit Divider(std::span<Leaf> leaves) : leaves_(leaves), bins_(std::min(leaves.size(), most_bins)) {
     for (const Leaf& leaf : leaves) centers_.add(leaf.center());
   }
 
   /// The number of leaves on the left, at least one and not all; they stand first then.
   std::size_t divide() {
+    if (leaves_.size() == 2) return 1;
     Cut best;
     for (std::size_t axis = 0; axis < 3; ++axis) best_cut(axis, best);
     if (best.cost == std::numeric_limits<double>::infinity()) return leaves_.size() / 2;
-    const auto right =
-        std::partition(leaves_.begin(), leaves_.end(), [&](const Leaf& leaf) { return bin(leaf, best.axis) <= best.bin; });
+    const float scale = bins_a_length(best.axis);
+    const auto right = std::partition(leaves_.begin(), leaves_.end(),
+                                      [&](const Leaf& leaf) { return bin(leaf, best.axis, scale) <= best.bin; });
     return static_cast<std::size_t>(right - leaves_.begin());
   }
 
  private:
-  static constexpr std::size_t bins = 16;
+  static constexpr std::size_t most_bins = 16;
 
-  std::size_t bin(const Leaf& leaf, std::size_t axis) const {
-    const float size = centers_.high[axis] - centers_.low[axis];
-    const float place = (leaf.center()[axis] - centers_.low[axis]) / size * bins;
-    return std::min(bins - 1, static_cast<std::size_t>(place));
+  float bins_a_length(std::size_t axis) const {
+    return static_cast<float>(bins_) / (centers_.high[axis] - centers_.low[axis]);
+  }
+
+  std::size_t bin(const Leaf& leaf, std::size_t axis, float bins_a_length) const {
+    const float place = (leaf.center()[axis] - centers_.low[axis]) * bins_a_length;
+    return std::min(bins_ - 1, static_cast<std::size_t>(place));
   }
 
   void best_cut(std::size_t axis, Cut& best) const {
-    if (!(centers_.high[axis] > centers_.low[axis])) return;
-    std::array<Box, bins> boxes;
-    std::array<std::size_t, bins> counts{};
+    if (!(centers_.high[axis] - centers_.low[axis] > 0x1p-100f)) return;  // else bins_a_length() might be infinite
+    const float scale = bins_a_length(axis);
+    std::array<Box, most_bins> boxes;
+    std::array<std::size_t, most_bins> counts{};
     for (const Leaf& leaf : leaves_) {
-      const std::size_t at = bin(leaf, axis);
+      const std::size_t at = bin(leaf, axis, scale);
       boxes[at].add(leaf.box);
       ++counts[at];
     }
-    std::array<double, bins> right_cost{};
+    std::array<double, most_bins> right_cost{};
     Box box;
     std::size_t count = 0;
-    for (std::size_t at = bins - 1; at > 0; --at) {
+    for (std::size_t at = bins_ - 1; at > 0; --at) {
       box.add(boxes[at]);
       count += counts[at];
       right_cost[at - 1] = box.area() * static_cast<double>(count);
     }
     box = {};
     count = 0;
-    for (std::size_t at = 0; at + 1 < bins; ++at) {
+    for (std::size_t at = 0; at + 1 < bins_; ++at) {
       box.add(boxes[at]);
       count += counts[at];
       const double cost = box.area() * static_cast<double>(count) + right_cost[at];
@@ -318,6 +328,7 @@ class Divider {
   }
 
   std::span<Leaf> leaves_;
+  std::size_t bins_;
   Box centers_;
 };
 
