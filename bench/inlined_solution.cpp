@@ -17,7 +17,7 @@ namespace {
 
 /// A table whose functions are constants.
 struct InlinedTable {
-#define RAYLAB_MEMBER(label, function, summary) static constexpr auto function = &inlined::function;
+#define RAYLAB_MEMBER(label, function, summary, example) static constexpr auto function = &inlined::function;
   RAYLAB_TASKS(RAYLAB_MEMBER)
 #undef RAYLAB_MEMBER
 };

@@ -16,7 +16,7 @@
 
 extern "C" RAYLAB_VISIBLE const raylab::ExportedTasks* RAYLAB_JOIN(raylab_tasks_, RAYLAB_IMPLEMENTATION)() {
   namespace implementation = raylab::RAYLAB_IMPLEMENTATION;
-#define RAYLAB_ROW(label, function, summary)                  \
+#define RAYLAB_ROW(label, function, summary, example)         \
   {label, #function, typeid(implementation::function).name(), \
    reinterpret_cast<raylab::AnyFunction>(&implementation::function)},
   static const raylab::ExportedTask tasks[] = {RAYLAB_TASKS(RAYLAB_ROW)};

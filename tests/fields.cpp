@@ -22,8 +22,8 @@ std::string fields() {
   const Struct object{};
   std::string names;
   std::size_t bytes = 0;
-  for_each_field(object, [&](const char* name, const auto& value) {
-    names += (names.empty() ? "" : " ") + std::string(name);
+  for_each_field(object, [&](const Field& field, const auto& value) {
+    names += std::string(names.empty() ? "" : " ") + field.name;
     bytes += sizeof value;
   });
   CHECK(sizeof(Struct) - bytes < alignof(Struct));
@@ -49,4 +49,19 @@ TEST_CASE("fields: each plain struct lists all its fields in order", "[math]") {
   CHECK(fields<GlassBounces>() == "reflected refracted");
   CHECK(fields<SampleOffset>() == "dx dy");
   CHECK(fields<Seen>() == "color ray t background bounce");
+}
+
+TEST_CASE("fields: those of a variable can be set, and say whether they may be left out", "[math]") {
+  Sphere sphere;
+  for_each_field(sphere, [](const Field&, auto& value) { value = {}; });
+  CHECK(sphere.radius == 0);
+  std::string optional;
+  for_each_field(Leaves{}, [&](const Field& field, const auto&) { optional += field.optional ? field.name : "-"; });
+  CHECK(optional == "-side");
+}
+
+TEST_CASE("fields: an enum lists the names of its values", "[math]") {
+  std::string names;
+  for_each_name(Side{}, [&](const char* name, Side value) { names += value == Side::inwards ? name : "-"; });
+  CHECK(names == "-inwards");
 }

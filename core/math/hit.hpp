@@ -11,7 +11,7 @@ struct Candidate {
   GeometryId geometry = no_geometry;
   std::optional<double> t;
 };
-RAYLAB_FIELDS(Candidate, RAYLAB_FIELD(geometry) RAYLAB_FIELD(t))
+RAYLAB_FIELDS(Candidate, RAYLAB_OPTIONAL_FIELD(geometry) RAYLAB_OPTIONAL_FIELD(t))
 
 /// A surface point that a ray has reached.
 struct Hit {
@@ -21,14 +21,15 @@ struct Hit {
   Vec3 normal;     ///< N: unit, turned to the side that the ray came from (D8), so that d.N <= 0
   Leaves leaves;   ///< what a ray leaves that starts here on that side: this geometry, and which side of it that is
 };
-RAYLAB_FIELDS(Hit, RAYLAB_FIELD(t) RAYLAB_FIELD(point) RAYLAB_FIELD(direction) RAYLAB_FIELD(normal) RAYLAB_FIELD(leaves))
+RAYLAB_FIELDS(Hit, RAYLAB_OPTIONAL_FIELD(t) RAYLAB_FIELD(point) RAYLAB_FIELD(direction) RAYLAB_FIELD(normal)
+                       RAYLAB_OPTIONAL_FIELD(leaves))
 
 /// A surface in the way of a shadow ray.
 struct Crossing {
   double t = 0;              ///< distance from the shaded point, >= 0
   bool transparent = false;  ///< is it glass?
 };
-RAYLAB_FIELDS(Crossing, RAYLAB_FIELD(t) RAYLAB_FIELD(transparent))
+RAYLAB_FIELDS(Crossing, RAYLAB_FIELD(t) RAYLAB_OPTIONAL_FIELD(transparent))
 
 /// A ray to trace next, and how much of the color at its end is added to the pixel.
 struct Bounce {

@@ -12,6 +12,7 @@ struct Material {
   bool transparent = false;       ///< glass; spheres only
   double refractive_index = 1.5;  ///< n, 0.1 to 10: of the glass against the air around it
 };
-RAYLAB_FIELDS(Material, RAYLAB_FIELD(color) RAYLAB_FIELD(shininess) RAYLAB_FIELD(transparent) RAYLAB_FIELD(refractive_index))
+RAYLAB_FIELDS(Material, RAYLAB_FIELD(color) RAYLAB_OPTIONAL_FIELD(shininess) RAYLAB_OPTIONAL_FIELD(transparent)
+                            RAYLAB_OPTIONAL_FIELD(refractive_index))
 
 }  // namespace raylab

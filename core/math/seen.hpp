@@ -15,7 +15,8 @@ struct Seen {
   Color background;         ///< the scene's
   int bounce = 0;           ///< 0 for the camera's ray
 };
-RAYLAB_FIELDS(Seen, RAYLAB_FIELD(color) RAYLAB_FIELD(ray) RAYLAB_FIELD(t) RAYLAB_FIELD(background) RAYLAB_FIELD(bounce))
+RAYLAB_FIELDS(Seen, RAYLAB_FIELD(color) RAYLAB_FIELD(ray) RAYLAB_OPTIONAL_FIELD(t) RAYLAB_OPTIONAL_FIELD(background)
+                        RAYLAB_OPTIONAL_FIELD(bounce))
 
 /// A task that the driver asks once for every ray that it has followed, with what was seen along it, for the color to use
 /// instead. Stages after the seventh join the driver in this way: each of their tasks with this type is asked, in order.

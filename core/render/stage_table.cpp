@@ -16,7 +16,7 @@ constexpr StageInfo all_stages[] = {
 };
 
 constexpr TaskInfo all_tasks[] = {
-#define RAYLAB_TASK(label, function, summary) {label, #function, summary},
+#define RAYLAB_TASK(label, function, summary, example) {label, #function, summary, example},
     RAYLAB_TASKS(RAYLAB_TASK)
 #undef RAYLAB_TASK
 };
@@ -63,7 +63,7 @@ StageTable import_tasks(const ExportedTasks& exported) {
     throw std::runtime_error("this implementation was built for version " + std::to_string(exported.version) +
                              " of the contracts, wanted " + std::to_string(contract_version) + ": build it again");
   StageTable table;
-#define RAYLAB_IMPORT(label, function, summary) import_task(exported, label, table.function);
+#define RAYLAB_IMPORT(label, function, summary, example) import_task(exported, label, table.function);
   RAYLAB_TASKS(RAYLAB_IMPORT)
 #undef RAYLAB_IMPORT
   return table;
@@ -71,7 +71,7 @@ StageTable import_tasks(const ExportedTasks& exported) {
 
 void mix(StageTable& table, const StageTable& other, std::string_view selection) {
   bool any = false;
-#define RAYLAB_MIX(label, function, summary) \
+#define RAYLAB_MIX(label, function, summary, example) \
   if (selects(selection, label)) table.function = other.function, any = true;
   RAYLAB_TASKS(RAYLAB_MIX)
 #undef RAYLAB_MIX
@@ -80,7 +80,7 @@ void mix(StageTable& table, const StageTable& other, std::string_view selection)
 
 std::vector<RayFilter> ray_filters(const StageTable& table, int last_stage) {
   std::vector<RayFilter> filters;
-#define RAYLAB_FILTER(label, function, summary) \
+#define RAYLAB_FILTER(label, function, summary, example) \
   if (stage_of(label) <= last_stage) add_filter(filters, table.function);
   RAYLAB_TASKS(RAYLAB_FILTER)
 #undef RAYLAB_FILTER

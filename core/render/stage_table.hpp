@@ -13,7 +13,7 @@ namespace raylab {
 
 /// One function for each task of every stage: all that the driver and the tests know of an implementation.
 struct StageTable {
-#define RAYLAB_MEMBER(label, function, summary) decltype(&contract::function) function = nullptr;
+#define RAYLAB_MEMBER(label, function, summary, example) decltype(&contract::function) function = nullptr;
   RAYLAB_TASKS(RAYLAB_MEMBER)
 #undef RAYLAB_MEMBER
 };
@@ -22,6 +22,7 @@ struct TaskInfo {
   std::string_view label;    ///< "5.1"
   std::string_view name;     ///< the function's: "reflect"
   std::string_view summary;  ///< "the mirror image of a direction"
+  std::string_view example;  ///< arguments of a call, JSON, in order: R"({"d": [0.6, -0.8, 0], "n": [0, 1, 0]})"
 };
 
 struct StageInfo {

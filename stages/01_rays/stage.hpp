@@ -15,4 +15,7 @@ Ray camera_ray(const Camera& camera, int width, int height, double x, double y, 
 
 }  // namespace raylab::RAYLAB_IMPLEMENTATION
 
-#define RAYLAB_TASKS_01_RAYS(TASK) TASK("1.1", camera_ray, "the ray through a pixel")
+#define RAYLAB_TASKS_01_RAYS(TASK)                                                      \
+  TASK("1.1", camera_ray, "the ray through a pixel",                                    \
+       R"({"camera": {"position": [0, 1, 5], "facing": [0, 0, -1], "up": [0, 1, 0]}, )" \
+       R"("width": 640, "height": 480, "x": 1, "y": 0, "dx": 0, "dy": 0})")

@@ -30,8 +30,11 @@ std::optional<std::size_t> nearest_hit(std::span<const Candidate> candidates);
 
 }  // namespace raylab::RAYLAB_IMPLEMENTATION
 
-#define RAYLAB_TASKS_02_INTERSECTIONS(TASK)                      \
-  TASK("2.1", plane_hit, "where a ray meets a plane")            \
-  TASK("2.2", sphere_hit, "where a ray meets a sphere")          \
-  TASK("2.3", sphere_normal, "the direction away from a sphere") \
-  TASK("2.4", nearest_hit, "the nearest of what a ray meets")
+#define RAYLAB_TASKS_02_INTERSECTIONS(TASK)                                                                              \
+  TASK("2.1", plane_hit, "where a ray meets a plane",                                                                    \
+       R"({"ray": {"origin": [0, 3, 0], "direction": [0, -1, 0]}, "plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}})") \
+  TASK("2.2", sphere_hit, "where a ray meets a sphere",                                                                  \
+       R"({"ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "sphere": {"center": [0, 0, 0], "radius": 1}})")       \
+  TASK("2.3", sphere_normal, "the direction away from a sphere",                                                         \
+       R"({"sphere": {"center": [0, 0, 0], "radius": 2}, "point": [0, 2, 0]})")                                          \
+  TASK("2.4", nearest_hit, "the nearest of what a ray meets", R"({"candidates": [{"t": 3}, {"t": null}, {"t": 1.5}]})")

@@ -36,10 +36,17 @@ Color sum_lights(std::span<const Color> contributions);
 
 }  // namespace raylab::RAYLAB_IMPLEMENTATION
 
-#define RAYLAB_TASKS_03_BLINN_PHONG(TASK)                                   \
-  TASK("3.1", specular_weight, "how much a shiny surface mirrors")          \
-  TASK("3.2", blinn_phong, "diffuse and specular light from one direction") \
-  TASK("3.3", point_light, "a point light's part")                          \
-  TASK("3.4", directional_light, "a directional light's part")              \
-  TASK("3.5", ambient_light, "an ambient light's part")                     \
-  TASK("3.6", sum_lights, "all lights together")
+#define RAYLAB_TASKS_03_BLINN_PHONG(TASK)                                                              \
+  TASK("3.1", specular_weight, "how much a shiny surface mirrors", R"({"shininess": 100})")            \
+  TASK("3.2", blinn_phong, "diffuse and specular light from one direction",                            \
+       R"({"l": [0.6, 0.8, 0], "n": [0, 1, 0], "v": [-0.6, 0.8, 0], )"                                 \
+       R"("intensity": 1, "color": [0.9, 0.2, 0.2], "shininess": 100})")                               \
+  TASK("3.3", point_light, "a point light's part",                                                     \
+       R"({"light": {"position": [0, 3, 0], "intensity": 40}, "point": [0, 0, 0], )"                   \
+       R"("n": [0, 1, 0], "v": [0, 1, 0], "material": {"color": [0.9, 0.2, 0.2], "shininess": 100}})") \
+  TASK("3.4", directional_light, "a directional light's part",                                         \
+       R"({"light": {"direction": [0, -1, 0], "intensity": 0.6}, )"                                    \
+       R"("n": [0, 1, 0], "v": [0, 1, 0], "material": {"color": [0.9, 0.2, 0.2], "shininess": 100}})") \
+  TASK("3.5", ambient_light, "an ambient light's part",                                                \
+       R"({"light": {"intensity": 0.1}, "material": {"color": [0.9, 0.2, 0.2]}})")                     \
+  TASK("3.6", sum_lights, "all lights together", R"({"contributions": [[0.25, 0, 0], [0.5, 0.125, 0]]})")

@@ -16,4 +16,6 @@ bool blocked(std::span<const Crossing> crossings, double distance);
 
 }  // namespace raylab::RAYLAB_IMPLEMENTATION
 
-#define RAYLAB_TASKS_04_SHADOWS(TASK) TASK("4.1", blocked, "is the light kept from a point?")
+#define RAYLAB_TASKS_04_SHADOWS(TASK)                     \
+  TASK("4.1", blocked, "is the light kept from a point?", \
+       R"({"crossings": [{"t": 2, "transparent": true}, {"t": 5}], "distance": "inf"})")

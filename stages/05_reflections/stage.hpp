@@ -21,7 +21,9 @@ bool go_on(int bounce, int max_bounces, double weight);
 
 }  // namespace raylab::RAYLAB_IMPLEMENTATION
 
-#define RAYLAB_TASKS_05_REFLECTIONS(TASK)                             \
-  TASK("5.1", reflect, "the mirror image of a direction")             \
-  TASK("5.2", mirror_bounce, "the ray that a shiny surface sends on") \
-  TASK("5.3", go_on, "is a bounced ray traced?")
+#define RAYLAB_TASKS_05_REFLECTIONS(TASK)                                                             \
+  TASK("5.1", reflect, "the mirror image of a direction", R"({"d": [0.6, -0.8, 0], "n": [0, 1, 0]})") \
+  TASK("5.2", mirror_bounce, "the ray that a shiny surface sends on",                                 \
+       R"({"hit": {"point": [0, 0, 0], "direction": [0.6, -0.8, 0], "normal": [0, 1, 0], )"           \
+       R"("leaves": {"geometry": 0}}, "k_s": 0.5})")                                                  \
+  TASK("5.3", go_on, "is a bounced ray traced?", R"({"bounce": 1, "max_bounces": 5, "weight": 0.5})")

@@ -29,7 +29,11 @@ GlassBounces glass_bounces(const Sphere& sphere, double refractive_index, const 
 
 }  // namespace raylab::RAYLAB_IMPLEMENTATION
 
-#define RAYLAB_TASKS_06_REFRACTION(TASK)                               \
-  TASK("6.1", through_sphere, "the ray that has passed through glass") \
-  TASK("6.2", schlick, "how much glass reflects")                      \
-  TASK("6.3", glass_bounces, "the two rays that glass sends on")
+#define RAYLAB_TASKS_06_REFRACTION(TASK)                                                                                   \
+  TASK("6.1", through_sphere, "the ray that has passed through glass",                                                     \
+       R"({"sphere": {"center": [0, 0, 0], "radius": 1}, "refractive_index": 1.5, )"                                       \
+       R"("hit": {"point": [0, 0.6, 0.8], "direction": [0, 0, -1], "normal": [0, 0.6, 0.8], "leaves": {"geometry": 0}}})") \
+  TASK("6.2", schlick, "how much glass reflects", R"({"cos_theta": 0.5, "refractive_index": 1.5})")                        \
+  TASK("6.3", glass_bounces, "the two rays that glass sends on",                                                           \
+       R"({"sphere": {"center": [0, 0, 0], "radius": 1}, "refractive_index": 1.5, )"                                       \
+       R"("hit": {"point": [0, 0.6, 0.8], "direction": [0, 0, -1], "normal": [0, 0.6, 0.8], "leaves": {"geometry": 0}}})")

@@ -20,6 +20,6 @@ Color resolve(std::span<const Color> samples);
 
 }  // namespace raylab::RAYLAB_IMPLEMENTATION
 
-#define RAYLAB_TASKS_07_SSAA(TASK)                             \
-  TASK("7.1", sample_positions, "where a pixel's samples lie") \
-  TASK("7.2", resolve, "from samples to the pixel's color")
+#define RAYLAB_TASKS_07_SSAA(TASK)                                      \
+  TASK("7.1", sample_positions, "where a pixel's samples lie", R"({})") \
+  TASK("7.2", resolve, "from samples to the pixel's color", R"({"samples": [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]})")

@@ -12,4 +12,7 @@ Color depth_cue(const Seen& seen);
 
 }  // namespace raylab::RAYLAB_IMPLEMENTATION
 
-#define RAYLAB_TASKS_08_DEPTH_CUEING(TASK) TASK("8.1", depth_cue, "what haze leaves of a color")
+#define RAYLAB_TASKS_08_DEPTH_CUEING(TASK)                                   \
+  TASK("8.1", depth_cue, "what haze leaves of a color",                      \
+       R"({"seen": {"color": [1, 0, 0], "t": 20, "background": [0, 0, 1], )" \
+       R"("ray": {"origin": [0, 0, 0], "direction": [0, 0, -1]}}})")
