@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Who may include what: the one-way rule math <- scene <- image <- render <- references <- report <- cli, and each library's one user.
+# Who may include what: the one-way rule math <- scene <- image <- render <- calls <- references <- report <- cli, and each library's one user.
 #   tests/include_rule.sh SOURCE_FOLDER
 set -euo pipefail
 cd "$1"
@@ -35,13 +35,14 @@ rule 'core/math/*.hpp' core/math/
 rule 'core/scene/*' core/math/ core/scene/
 rule 'core/image/*' core/math/ core/scene/ core/image/
 rule 'core/render/*' core/math/ core/scene/ core/image/ core/render/ stages/stages.hpp
-rule 'core/references/*' core/math/ core/scene/ core/image/ core/render/ core/references/
-rule 'core/report/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/references/ core/report/
-rule 'core/cli/*.?pp' core/ 'reference/(engine/engine|oracle/oracle).hpp' tests/runner.hpp
+rule 'core/calls/*' core/math/ core/scene/ core/image/ core/render/ core/calls/
+rule 'core/references/*' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/
+rule 'core/report/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/ core/report/
+rule 'core/cli/*.?pp' core/ 'reference/(engine/engine|oracle/oracle|oracle/tasks).hpp' tests/runner.hpp
 rule 'stages/*/*.?pp' core/math/ 'stages/[0-9][0-9]_'
 rule 'stages/export_tasks.cpp' core/math/ stages/stages.hpp
 rule 'reference/solution/*' 'stages/[0-9][0-9]_'
-rule 'reference/oracle/*' core/math/ core/scene/scene.hpp core/render/engine.hpp reference/oracle/
+rule 'reference/oracle/*' core/math/ core/scene/scene.hpp 'core/render/(engine|stage_table).hpp' reference/oracle/
 rule 'reference/engine/*.?pp' core/math/ core/scene/scene.hpp core/render/engine.hpp reference/engine/
 rule 'reference/engine/kernel/*' reference/engine/kernel/
 for folder in stages/[0-9][0-9]_*; do rule "$folder/*.?pp" core/math/ "$folder/stage.hpp"; done
@@ -52,7 +53,7 @@ only CLI/ '^core/cli/'
 only boost/ '^reference/oracle/'
 only hwy/ '^(bench|reference/engine)/'
 only glm '^(core/math|reference/solution|stages)/'
-only nlohmann '^(core/(cli|references|report)|tests)/'
+only nlohmann '^(core/(calls|cli|references|report)|tests)/'
 only catch2 '^tests/'
 only '(sys/|unistd|linux/|windows|fcntl)' '^nobody$'  # no file knows which system it is on
 

@@ -1,0 +1,83 @@
+#include "core/calls/call_task.hpp"
+
+#include "core/calls/call_function.hpp"
+
+#include <exception>
+#include <stdexcept>
+
+namespace raylab {
+namespace {
+
+/// Calls `visit` with the function of the task with that label.
+template <class Visit>
+void with_function(const StageTable& table, std::string_view task, Visit visit) {
+#define RAYLAB_VISIT(label, function, summary, example) \
+  if (task == label) visit(table.function);
+  RAYLAB_TASKS(RAYLAB_VISIT)
+#undef RAYLAB_VISIT
+}
+
+/// The names of a task's parameters, which are the keys of its example, and nowhere else.
+std::vector<std::string> parameter_names(const TaskInfo& task, std::size_t count) {
+  const JsonValue example = parse_json(task.example);
+  std::vector<std::string> names;
+  for (const JsonMember& argument : std::get<JsonObject>(example.data)) names.push_back(argument.key);
+  if (names.size() != count)
+    throw std::logic_error("the example of task " + std::string(task.label) + " has " + std::to_string(names.size()) +
+                           " arguments, and its function takes " + std::to_string(count));
+  return names;
+}
+
+template <class Result, class... Parameters>
+TaskSignature signature(const TaskInfo& task, Result (*)(Parameters...)) {
+  const std::vector<std::string> names = parameter_names(task, sizeof...(Parameters));
+  [[maybe_unused]] auto name = names.begin();
+  std::string result = PlainJson<Result>::describe();
+  std::erase(result, '?');  // a result has all its fields
+  return {{{*name++, PlainJson<typename Kept<Parameters>::Type>::describe()}...}, result};
+}
+
+template <class Result, class... Parameters>
+std::string called(const TaskInfo& task, Result (*function)(Parameters...), std::string_view arguments) {
+  if (!function) throw std::runtime_error("task " + std::string(task.label) + " is not in this implementation");
+  const Result result = call_function(function, parameter_names(task, sizeof...(Parameters)), parse_json(arguments));
+  std::string line = "{\"task\":" + json_string(task.label) + ",\"name\":" + json_string(task.name) + ",\"result\":";
+  PlainJson<Result>::write(line, result, json_number);
+  line += ",\"hex\":";
+  PlainJson<Result>::write(line, result, json_hex_number);
+  return line + '}';
+}
+
+}  // namespace
+
+TaskSignature signature_of(const TaskInfo& task) {
+  TaskSignature found;
+  with_function({}, task.label, [&](auto function) { found = signature(task, function); });
+  return found;
+}
+
+std::string call_task(const StageTable& table, const TaskInfo& task, std::string_view arguments) {
+  std::string line;
+  try {
+    with_function(table, task.label, [&](auto function) { line = called(task, function, arguments); });
+  } catch (const std::exception&) {
+    throw;
+  } catch (...) {
+    throw std::runtime_error("the function threw something that is no std::exception");
+  }
+  return line;
+}
+
+CallAnswer answer_call(const StageTable& table, const TaskInfo& task, std::string_view arguments) {
+  try {
+    return {call_task(table, task, arguments), true};
+  } catch (const std::exception& error) {
+    return failed_call(task, error.what());
+  }
+}
+
+CallAnswer failed_call(const TaskInfo& task, std::string_view error) {
+  return {"{\"task\":" + json_string(task.label) + ",\"error\":" + json_string(error) + '}', false};
+}
+
+}  // namespace raylab

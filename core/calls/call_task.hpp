@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/calls/json_value.hpp"
+#include "core/render/stage_table.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raylab {
+
+/// What a task takes and returns, in words: "{center: [x, y, z], radius: number}"; a parameter's fields marked `?` may be
+/// left out.
+struct TaskSignature {
+  struct Parameter {
+    std::string name;
+    std::string type;
+  };
+  std::vector<Parameter> parameters;
+  std::string result;
+};
+
+TaskSignature signature_of(const TaskInfo& task);
+
+/// Calls a task's function in `table`. `arguments`: a JSON object with a member for each parameter, as in `task.example`.
+/// Returns one line of JSON, {"task":"2.2","name":"sphere_hit","result":4.0,"hex":"0x1p+2"}: the result with decimal numbers
+/// that read back exactly, and again with hexadecimal ones. docs/call.md has the format.
+/// Throws InputError if the arguments are not what the task takes, std::runtime_error if the table has no such function, and
+/// what the function throws, as std::runtime_error where it is no std::exception.
+std::string call_task(const StageTable& table, const TaskInfo& task, std::string_view arguments);
+
+struct CallAnswer {
+  std::string json;  ///< one line
+  bool good;         ///< is it a result?
+};
+
+/// The same, where a mistake, or anything that the function throws, is an answer too: {"task":"2.2","error":"..."}.
+CallAnswer answer_call(const StageTable& table, const TaskInfo& task, std::string_view arguments);
+
+/// That answer, with the words for the mistake.
+CallAnswer failed_call(const TaskInfo& task, std::string_view error);
+
+}  // namespace raylab
