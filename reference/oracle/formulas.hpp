@@ -3,6 +3,7 @@
 // docs/model.md's formulas as printed, in its order. Its section numbers and decisions [D n] stand in the comments, and its
 // symbols are the names: L, N, V, R are unit vectors, but for R0 and R, the reflected part.
 #include "core/math/camera.hpp"
+#include "core/math/lights.hpp"
 #include "core/math/ray.hpp"
 #include "core/math/sample.hpp"
 #include "core/scene/scene.hpp"
@@ -38,8 +39,11 @@ class Lens {
   }
 
   Ray<T> ray(int column, int row, const SampleOffset& sample) const {
-    const T x = column + 1 - width_ / 2;
-    const T y = height_ / 2 - row;
+    return through(column + 1 - width_ / 2, height_ / 2 - row, sample);
+  }
+
+  /// x, y: the handout's screen coordinates.
+  Ray<T> through(const T& x, const T& y, const SampleOffset& sample) const {
     const T half = T(1) / 2;
     const Vec3<T> along = f_ + ((x - half + sample.dx) * s_) * r_ + ((y - half + sample.dy) * s_) * u_;
     return {position_, unit(along), {}};
@@ -96,6 +100,12 @@ std::optional<T> meet_sphere(const Ray<T>& ray, const Vec3<T>& c, const T& radiu
   return T(-chord.b - chord.half());
 }
 
+/// Where a ray that leaves a sphere inwards meets its far side (D6).
+template <class T>
+T meet_far_side(const Ray<T>& ray, const Vec3<T>& c) {
+  return std::max(T(0), T(-2 * dot(ray.origin - c, ray.direction)));
+}
+
 // ---- 3 Blinn-Phong --------------------------------------------------------------------------------------------------
 
 template <class T>
@@ -113,6 +123,37 @@ T specular(const Vec3<T>& L, const Vec3<T>& N, const Vec3<T>& V, const T& k_s, d
   if (sign(size(sum), T(1)) == 0) return T(0);
   const T cosine = dot(unit(sum), N);
   return cosine > 0 ? T(k_s * pow(cosine, T(alpha))) : T(0);
+}
+
+/// A light as a point sees it.
+template <class T>
+struct Lamp {
+  Vec3<T> L;
+  std::optional<T> distance;  ///< nothing: infinite
+  T strength;                 ///< I, or I/(1 + r)^2
+};
+
+/// A point light as p sees it; nothing if it is at p itself.
+template <class T>
+std::optional<Lamp<T>> lamp_at(const PointLight& light, const Vec3<T>& p) {
+  const Vec3<T> position(light.position);
+  const T r = length(position - p);
+  if (sign(r, T(size(position) + size(p))) == 0) return std::nullopt;
+  return Lamp<T>{(position - p) / r, r, light.intensity / ((1 + r) * (1 + r))};
+}
+
+/// L.N > 0: is the light above the surface? (D9)
+template <class T>
+bool above(const Lamp<T>& lamp, const Vec3<T>& N) {
+  return sign(dot(lamp.L, N), T(1)) > 0;
+}
+
+/// What a surface sends back of a light that reaches it, before its color: with L.N > 0 both terms, else, where each dot
+/// product is clamped by itself, the second.
+template <class T>
+T from_light(const Lamp<T>& lamp, const Vec3<T>& N, const Vec3<T>& V, const T& k_s, double alpha) {
+  const T highlight = specular(lamp.L, N, V, k_s, alpha);
+  return lamp.strength * (above(lamp, N) ? T(dot(lamp.L, N) + highlight) : highlight);
 }
 
 // ---- 5 Reflections, 6 Refraction ------------------------------------------------------------------------------------
@@ -151,6 +192,46 @@ T schlick(const T& cosine, const T& n) {
   const T R0 = (1 - n) * (1 - n) / ((1 + n) * (1 + n));
   const T rest = 1 - std::clamp(cosine, T(0), T(1));
   return R0 + (1 - R0) * rest * rest * rest * rest * rest;
+}
+
+/// Snell's law for a ray that meets glass on one side: sin_far = ratio sin_near.
+template <class T>
+T snell_ratio(Side side, const T& n) {
+  return side == Side::outwards ? T(1 / n) : n;
+}
+
+/// What becomes of a ray that meets glass.
+template <class T>
+struct Split {
+  T ratio;                   ///< of Snell's law
+  std::optional<T> cos_far;  ///< nothing at total reflection
+  T R;                       ///< 1 at total reflection (D16); else by Schlick, from outside or from inside (D17)
+};
+
+template <class T>
+Split<T> split_at_glass(const T& cos_near, Side side, const T& n) {
+  const T ratio = snell_ratio(side, n);
+  const std::optional<T> cos_far = refracted_cosine(cos_near, ratio);
+  return {ratio, cos_far, cos_far ? schlick(side == Side::outwards ? cos_near : *cos_far, n) : T(1)};
+}
+
+/// The exit ray of a ray that has just entered a glass sphere: out at the second point, whatever else is inside (D15). In
+/// exact arithmetic it leaves at the angle at which it came, so there is always one.
+template <class T>
+Ray<T> exit_ray(const Ray<T>& inside, const Vec3<T>& c, const T& n) {
+  const Vec3<T> second = inside.origin + meet_far_side(inside, c) * inside.direction;
+  const Vec3<T> N = unit(c - second);
+  const T cos_out = refracted_cosine(T(-dot(inside.direction, N)), n).value_or(T(0));
+  return {second, refract(inside.direction, N, n, cos_out), {inside.leaves.geometry, Side::outwards}};
+}
+
+// ---- 7 SSAA ---------------------------------------------------------------------------------------------------------
+
+/// The clamp (D18).
+template <class T>
+Vec3<T> clamped(const Vec3<T>& c) {
+  const auto clamp = [](const T& x) { return std::clamp(x, T(0), T(1)); };
+  return {clamp(c.x), clamp(c.y), clamp(c.z)};
 }
 
 }  // namespace raylab::oracle

@@ -63,14 +63,6 @@ struct Hit {
   Side side;       ///< on which the ray came, and on which a ray that stays there leaves
 };
 
-/// A light as a point sees it.
-template <class T>
-struct Lamp {
-  Vec3<T> L;
-  std::optional<T> distance;  ///< nothing: infinite
-  T strength;                 ///< I, or I/(1 + r)^2
-};
-
 /// A ray that a surface sends on, and how much of its color the surface takes.
 template <class T>
 struct Branch {
@@ -100,11 +92,6 @@ class Tracer {
     return clamped(sum / T(samples.size()));
   }
 
-  static Vec3<T> clamped(const Vec3<T>& c) {
-    const auto clamp = [](const T& x) { return std::clamp(x, T(0), T(1)); };
-    return {clamp(c.x), clamp(c.y), clamp(c.z)};
-  }
-
   // 2 Intersections
 
   /// The distance to geometry number `id`, with regard to what the ray leaves (D6).
@@ -115,7 +102,7 @@ class Tracer {
     if (own && (plane || ray.leaves.side == Side::outwards)) return std::nullopt;
     const auto& shape = world_.shapes[id];
     if (plane) return meet_plane(ray, shape.point, shape.normal);
-    if (own) return std::max(T(0), T(-2 * dot(ray.origin - shape.point, ray.direction)));
+    if (own) return meet_far_side(ray, shape.point);
     return meet_sphere(ray, shape.point, shape.radius);
   }
 
@@ -161,26 +148,19 @@ class Tracer {
   /// The lights that are not ambient, but one at p itself.
   std::vector<Lamp<T>> lamps(const Hit<T>& hit) const {
     std::vector<Lamp<T>> all;
-    for (const PointLight& light : world_.scene.point_lights) {
-      const Vec3<T> position(light.position);
-      const T r = length(position - hit.point);
-      if (sign(r, T(size(position) + size(hit.point))) == 0) continue;
-      all.push_back({(position - hit.point) / r, r, light.intensity / ((1 + r) * (1 + r))});
-    }
+    for (const PointLight& light : world_.scene.point_lights)
+      if (const std::optional<Lamp<T>> lamp = lamp_at(light, hit.point)) all.push_back(*lamp);
     for (std::size_t i = 0; i < world_.to_directional.size(); ++i)
       all.push_back({world_.to_directional[i], std::nullopt, T(world_.scene.directional_lights[i].intensity)});
     return all;
   }
 
-  /// L.N: above 0 if the light is above the surface, and only then a shadow ray is sent (D9).
-  static bool above(const Lamp<T>& lamp, const Hit<T>& hit) { return sign(dot(lamp.L, hit.normal), T(1)) > 0; }
+  /// Only then a shadow ray is sent.
+  static bool above(const Lamp<T>& lamp, const Hit<T>& hit) { return oracle::above(lamp, hit.normal); }
 
-  /// What the surface sends back of a light that reaches it, before its color: with L.N > 0 both terms, else, where each dot
-  /// product is clamped by itself, the second.
   T from_light(const Ray<T>& ray, const Hit<T>& hit, const Lamp<T>& lamp) const {
     const Object& object = object_of(hit);
-    const T highlight = specular(lamp.L, hit.normal, -ray.direction, k_s_of(object), object.material->shininess);
-    return lamp.strength * (above(lamp, hit) ? T(dot(lamp.L, hit.normal) + highlight) : highlight);
+    return oracle::from_light(lamp, hit.normal, -ray.direction, k_s_of(object), object.material->shininess);
   }
 
   // 4 Shadows
@@ -210,7 +190,8 @@ class Tracer {
 
   /// The square of the cosine on the far side of glass, by Snell's law; below 0 at total reflection.
   T far_cosine_squared(const Ray<T>& ray, const Hit<T>& hit) const {
-    return refracted_cosine_squared(T(-dot(ray.direction, hit.normal)), ratio_at(hit));
+    const T n(object_of(hit).material->refractive_index);
+    return refracted_cosine_squared(T(-dot(ray.direction, hit.normal)), snell_ratio(hit.side, n));
   }
 
  private:
@@ -258,38 +239,21 @@ class Tracer {
     return altered({hit.point, reflect(ray.direction, hit.normal), {hit.geometry, hit.side}});
   }
 
-  /// Snell's law: sin_far = ratio sin_near.
-  T ratio_at(const Hit<T>& hit) const {
-    const T n(object_of(hit).material->refractive_index);
-    return hit.side == Side::outwards ? T(1 / n) : n;
-  }
-
   /// R of the reflected ray and 1 - R of the refracted one, met from outside or from inside (D17).
   std::vector<Branch<T>> glass(const Ray<T>& ray, const Hit<T>& hit) {
     const T n(object_of(hit).material->refractive_index);
     const bool outside = hit.side == Side::outwards;
-    const T cos_here = -dot(ray.direction, hit.normal);
-    const std::optional<T> cos_there = refracted_cosine(cos_here, ratio_at(hit));
-    const T R = cos_there ? schlick(outside ? cos_here : *cos_there, n) : T(1);  // D16
+    const auto [ratio, cos_far, R] = split_at_glass(T(-dot(ray.direction, hit.normal)), hit.side, n);
     std::vector<Branch<T>> both;
     if (R > 0) both.push_back({mirrored(ray, hit), R, false});
     if (R < 1) {
-      const Ray<T> ahead = altered({hit.point,
-                                    refract(ray.direction, hit.normal, ratio_at(hit), *cos_there),
-                                    {hit.geometry, outside ? Side::inwards : Side::outwards}});
-      both.push_back({outside ? beyond(ahead, n) : ahead, T(1 - R), true});
+      Ray<T> ahead = altered({hit.point,
+                              refract(ray.direction, hit.normal, ratio, *cos_far),
+                              {hit.geometry, outside ? Side::inwards : Side::outwards}});
+      if (outside) ahead = altered(exit_ray(ahead, world_.shapes[static_cast<std::size_t>(hit.geometry)].point, n));
+      both.push_back({ahead, T(1 - R), true});
     }
     return both;
-  }
-
-  /// The exit ray of a ray that has just entered glass: out at the second point, whatever else is inside (D15). In exact
-  /// arithmetic it leaves at the angle at which it came, so there is always one.
-  Ray<T> beyond(const Ray<T>& inside, const T& n) {
-    const std::size_t id = static_cast<std::size_t>(inside.leaves.geometry);
-    const Vec3<T> second = inside.origin + *meet(inside, id) * inside.direction;
-    const Vec3<T> N = unit(world_.shapes[id].point - second);
-    const T cos_out = refracted_cosine(T(-dot(inside.direction, N)), n).value_or(T(0));
-    return altered({second, refract(inside.direction, N, n, cos_out), {inside.leaves.geometry, Side::outwards}});
   }
 
   const World<T>& world_;

@@ -62,7 +62,7 @@ class Witness {
     Spread<Vec3<T>> sum{};
     for (const SampleOffset& sample : samples) sum += primary(world_.lens.ray(column, row, sample));
     const T count(samples.size());
-    const auto resolve = [&](const Vec3<T>& total) { return Tracer<T>::clamped(total / count); };
+    const auto resolve = [&](const Vec3<T>& total) { return clamped(total / count); };
     return {Spread<Vec3<T>>::map(resolve, sum), margin_, object_at(column, row)};
   }
 
