@@ -170,7 +170,7 @@ run 0 stages
 prints '5.1  reflect'
 run 0 --help
 prints 'raylab render scenes/scene5.toml'
-for command in render sheet check-scene test diff reference; do
+for command in render sheet check-scene call test diff reference; do
   run 0 $command --help
   prints 'Example'
 done
@@ -180,6 +180,72 @@ run 0 test shadows
 run 2 test 5.9
 says "there is no stage or task '5.9'"
 run 2 test 55
+
+# call: one task on given data, on the command line
+ray='"ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}' sphere='"sphere": {"center": [0, 0, 0], "radius": 1}'
+hit='{"task":"2.2","name":"sphere_hit","result":4.0,"hex":"0x1p+2"}'
+run 0 call 2.2 "{$ray, $sphere}"
+check 'call prints one line' test "$(cat stdout)" = "$hit"
+silent
+run 0 call sphere_hit "{$sphere, $ray}" --with solution --precision f64
+prints "$hit"
+run 0 call 2.2 "{$ray, $sphere}" --precision oracle
+prints "$hit"
+run 2 call 2.2 "{$ray}"
+says 'raylab: sphere: is missing'
+run 2 call 2.2 "{$ray, ${sphere/radius/raduis}}"
+says "raylab: sphere.raduis: unknown key, did you mean 'radius'?"
+run 2 call 2.2 ''
+says 'raylab: this is no JSON: line 1, column 1'
+run 2 call shpere_hit '{}'
+says "there is no task 'shpere_hit', did you mean 'sphere_hit'?"
+run 2 call 2.9 '{}'
+says "there is no task '2.9': 'raylab call --list' lists them"
+run 2 call
+says 'name a task'
+run 2 call 2.2 '{}' --precision f32
+says '--with solution computes in f64 only'
+run 2 call 2.2 '{}' --with solution --precision oracle
+says '--precision oracle has functions of its own'
+run 2 call 2.2 --list
+run 1 call 2.2 "{${ray/-1/0}, $sphere}" --precision oracle
+says 'the oracle has no answer where a direction has the length 0'
+
+# call: a line of JSON for each line of standard input
+answers() {
+  local code=$1 got=0; shift
+  "$program" call "$@" >stdout 2>stderr || got=$?
+  check "exit code $got, wanted $code: raylab call $* <lines" test "$got" = "$code"
+  silent
+}
+answers 0 2.2 < <(printf '%s\r\n\n \t\r\n%s' "{$ray, $sphere}" "{$ray, $sphere}")
+check 'CRLF, blank lines, no newline at the end' test "$(cat stdout)" = "$hit"$'\n'"$hit"
+answers 1 2.2 < <(printf '%s\n' "{$ray}" '[' $'\xff' "{$ray, $sphere}")
+check 'a mistake does not stop the rest' test "$(wc -l <stdout)" = 4
+prints '{"task":"2.2","error":"sphere: is missing"}'
+check 'the last line is answered' test "$(tail -1 stdout)" = "$hit"
+answers 1 2.2 < <(head -c 100000000 /dev/zero | tr '\0' '['; printf '\n%s\n' "{$ray, $sphere}")
+prints '{"task":"2.2","error":"the line is longer than 4194304 bytes"}'
+prints "$hit"
+answers 1 2.2 < <(head -c 1000000 /dev/zero | tr '\0' '[')
+prints 'more than 32 levels of brackets'
+answers 1 2.2 < <(head -c 300000 "$program")
+answers 0 2.2 </dev/null
+coproc "$program" call 3.1
+echo '{"shininess": "inf"}' >&"${COPROC[1]}"
+check 'an answer comes before the next line is sent' bash -c 'read -r -t 20 line && [[ $line == *:1.0,* ]]' <&"${COPROC[0]}"
+kill "$COPROC_PID"
+
+# call: the examples of --list and of docs/call.md run as they stand
+run 0 call --list
+grep '^    raylab call ' stdout >examples
+check 'each task has an example' test "$(wc -l <examples)" = "$("$program" stages | grep -c '^    ')"
+prints 'sphere: {center: [x, y, z], radius: number}'
+PATH=$(dirname "$program"):$PATH
+while IFS= read -r example; do check "$example" bash -c "$example >/dev/null"; done <examples
+while IFS= read -r command && IFS= read -r output; do
+  check "docs/call.md: $command" test "$(bash -c "${command#'$ '}" 2>&1)" = "$output"
+done < <(grep -A1 '^\$ raylab call' "$(dirname "$scenes")/docs/call.md" | grep -v '^--$')
 
 # diff: verdicts, exit codes, output
 run 0 render "$scenes/scene3.toml" --stage 5 --size 160x120 -o mine.exr

@@ -29,6 +29,8 @@ expect 'the last stage is the default' test -s out/scene1-depth-cueing.png
 $raylab render scenes/scene1.toml --size 64x48 --stage ssaa
 expect 'stage 8 changes the image' bash -c '! cmp -s out/scene1-depth-cueing.png out/scene1-ssaa.png'
 $raylab sheet scenes/scene1.toml --size 64x48
+$raylab call --list >list.txt
+expect 'its example runs' env PATH="$PWD/build/bin:$PATH" bash -c "$(grep -o 'raylab call 8.1 .*' list.txt) | grep -q '\"result\":\['"
 expect 'its tests pass' "$raylab" test 8
 expect 'its starter fails them, and no earlier ones' build/bin/raylab-starter-proof
-echo '6 passed, 0 failed'
+echo '7 passed, 0 failed'

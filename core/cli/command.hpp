@@ -22,6 +22,7 @@ void add_render(CLI::App& app);
 void add_sheet(CLI::App& app);
 void add_check_scene(CLI::App& app);
 void add_stages(CLI::App& app);
+void add_call(CLI::App& app);
 void add_test(CLI::App& app);
 void add_diff(CLI::App& app);
 void add_reference(CLI::App& app);

@@ -8,6 +8,7 @@
 #endif
 #ifdef RAYLAB_WITH_ORACLE
 #include "reference/oracle/oracle.hpp"
+#include "reference/oracle/tasks.hpp"
 #endif
 
 #include <algorithm>
@@ -91,6 +92,21 @@ ImageSize parse_size(const std::string& text) {
 }
 
 StageTable solution_table() { return import_tasks(*raylab_tasks_solution()); }
+
+StageTable table_for(const std::string& with, const std::string& precision) {
+  if (precision == "oracle") {
+    if (!with.empty()) throw Failure("--precision oracle has functions of its own: leave --with out", wrong_usage);
+#ifdef RAYLAB_WITH_ORACLE
+    return oracle_table();
+#else
+    throw Failure("--precision oracle was left out when this raylab was built", wrong_usage);
+#endif
+  }
+  if (with == "fast") throw Failure("--with fast is not there yet", wrong_usage);
+  if (precision == "f32")
+    throw Failure("--with solution computes in f64 only: use --with fast for --precision f32", wrong_usage);
+  return solution_table();
+}
 
 Settings settings_for(const Scene& scene, const RenderOptions& options) {
   Settings settings;

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
       "  raylab sheet scenes/scene5.toml                      all stages side by side\n"
       "  raylab test 5                                        the tests of stage 5\n"
       "  raylab diff mine.exr --scene scene3 --stage 5        what is wrong with a picture\n"
+      "  raylab call schlick '{\"cos_theta\": 0.5, \"refractive_index\": 1.5}'   one function of a stage\n"
       "  raylab COMMAND --help                                more about a command",
       "raylab");
   app.set_version_flag("--version", RAYLAB_VERSION);
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
   add_sheet(app);
   add_check_scene(app);
   add_stages(app);
+  add_call(app);
   add_diff(app);
   add_test(app);
   add_reference(app);
