@@ -205,8 +205,12 @@ run 2 call
 says 'name a task'
 run 2 call 2.2 '{}' --precision f32
 says '--with solution computes in f64 only'
-run 2 call 2.2 '{}' --with solution --precision oracle
-says '--precision oracle has functions of its own'
+for precision in f32 f64 oracle; do
+  run 0 call 2.2 "{$ray, $sphere}" --with fast --precision $precision
+  prints "$hit"
+done
+run 0 call 3.1 '{"shininess": 100}' --with fast --precision f32
+prints '"hex":"0x1.f597eap-3"'
 run 2 call 2.2 --list
 run 1 call 2.2 "{${ray/-1/0}, $sphere}" --precision oracle
 says 'the oracle has no answer where a direction has the length 0'

@@ -38,12 +38,12 @@ rule 'core/render/*' core/math/ core/scene/ core/image/ core/render/ stages/stag
 rule 'core/calls/*' core/math/ core/scene/ core/image/ core/render/ core/calls/
 rule 'core/references/*' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/
 rule 'core/report/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/ core/report/
-rule 'core/cli/*.?pp' core/ 'reference/(engine/engine|oracle/oracle|oracle/tasks).hpp' tests/runner.hpp
+rule 'core/cli/*.?pp' core/ 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp' tests/runner.hpp
 rule 'stages/*/*.?pp' core/math/ 'stages/[0-9][0-9]_'
 rule 'stages/export_tasks.cpp' core/math/ stages/stages.hpp
 rule 'reference/solution/*' 'stages/[0-9][0-9]_'
 rule 'reference/oracle/*' core/math/ core/scene/scene.hpp 'core/render/(engine|stage_table).hpp' reference/oracle/
-rule 'reference/engine/*.?pp' core/math/ core/scene/scene.hpp core/render/engine.hpp reference/engine/
+rule 'reference/engine/*.?pp' core/math/ core/scene/scene.hpp 'core/render/(engine|stage_table).hpp' reference/engine/
 rule 'reference/engine/kernel/*' reference/engine/kernel/
 for folder in stages/[0-9][0-9]_*; do rule "$folder/*.?pp" core/math/ "$folder/stage.hpp"; done
 

@@ -5,6 +5,7 @@
 #include "core/render/stages_engine.hpp"
 #ifdef RAYLAB_WITH_ENGINE
 #include "reference/engine/engine.hpp"
+#include "reference/engine/tasks.hpp"
 #endif
 #ifdef RAYLAB_WITH_ORACLE
 #include "reference/oracle/oracle.hpp"
@@ -94,15 +95,16 @@ ImageSize parse_size(const std::string& text) {
 StageTable solution_table() { return import_tasks(*raylab_tasks_solution()); }
 
 StageTable table_for(const std::string& with, const std::string& precision) {
-  if (precision == "oracle") {
-    if (!with.empty()) throw Failure("--precision oracle has functions of its own: leave --with out", wrong_usage);
 #ifdef RAYLAB_WITH_ORACLE
-    return oracle_table();
-#else
-    throw Failure("--precision oracle was left out when this raylab was built", wrong_usage);
+  if (precision == "oracle") return oracle_table();
 #endif
-  }
-  if (with == "fast") throw Failure("--with fast is not there yet", wrong_usage);
+#ifdef RAYLAB_WITH_ENGINE
+  if (with == "fast" && precision != "oracle") return fast_table(precision == "f32" ? Precision::f32 : Precision::f64);
+#endif
+  if (with == "fast" || precision == "oracle")
+    throw Failure((precision == "oracle" ? "--precision oracle" : "--with fast") +
+                      std::string(" was left out when this raylab was built"),
+                  wrong_usage);
   if (precision == "f32")
     throw Failure("--with solution computes in f64 only: use --with fast for --precision f32", wrong_usage);
   return solution_table();

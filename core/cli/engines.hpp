@@ -36,8 +36,8 @@ ImageSize parse_size(const std::string& text);
 /// The reference solution's tasks.
 StageTable solution_table();
 
-/// The functions that `raylab call` asks. with: "solution" or "fast", precision: "f32", "f64" or "oracle"; empty for the
-/// default. Throws Failure where the two do not go together or this build has no such functions.
+/// The functions that `raylab call` asks. with: "solution" or "fast", precision: "f32", "f64" or "oracle", which is the same
+/// for both; empty for the default. Throws Failure where the two do not go together or this build has no such functions.
 StageTable table_for(const std::string& with, const std::string& precision);
 
 /// The settings for `scene` with the user's options in place of the scene's own.
