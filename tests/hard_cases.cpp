@@ -7,6 +7,9 @@
 #ifdef RAYLAB_WITH_ENGINE
 #include "reference/engine/tasks.hpp"
 #endif
+#ifdef RAYLAB_WITH_ORACLE
+#include "reference/oracle/tasks.hpp"
+#endif
 
 #include <nlohmann/json.hpp>
 
@@ -15,6 +18,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -28,6 +32,7 @@ namespace {
 struct Subject {
   StageTable table;
   double u = 0x1p-53;
+  std::set<std::string> without_answer = {};  ///< cases where the functions throw std::domain_error
 
   bool single_precision() const { return u > 0x1p-53; }
 };
@@ -504,7 +509,10 @@ void run(const std::string& stage, const Subject& subject) {
     INFO("hard case " << data["id"] << ": " << data["title"]);
     const auto test = tests.find(data["op"]);
     REQUIRE(test != tests.end());
-    test->second(Case{data});
+    if (subject.without_answer.contains(data["id"]))
+      CHECK_THROWS_AS(test->second(Case{data}), std::domain_error);
+    else
+      test->second(Case{data});
     ++count;
   }
   CHECK(count > 0);
@@ -523,4 +531,7 @@ TEST_CASE("hard cases of stage 7: anti-aliasing", "[stage7][hard]") { run("ssaa"
 #ifdef RAYLAB_WITH_ENGINE
 TEST_CASE("engine: hard cases in double", "[engine][hard]") { run("", {fast_table(Precision::f64)}); }
 TEST_CASE("engine: hard cases in float", "[engine][hard]") { run("", {fast_table(Precision::f32), 0x1p-24}); }
+#endif
+#ifdef RAYLAB_WITH_ORACLE
+TEST_CASE("oracle: hard cases", "[oracle][hard]") { run("", {oracle_table(), 0x1p-53, {"I32", "I33", "I39"}}); }
 #endif
