@@ -63,7 +63,7 @@ const TaskInfo& task(std::string_view label) {
 }
 
 std::string answer(std::string_view label, std::string_view arguments) {
-  return answer_call(table(), task(label), arguments).json;
+  return TaskCaller(table(), task(label)).answer(arguments).json;
 }
 
 const Leaves inside_third{3, Side::inwards};
@@ -201,7 +201,7 @@ TEST_CASE("calls: what is no JSON is refused", "[calls]") {
 }
 
 TEST_CASE("calls: what is hidden in a string cannot break an answer", "[calls]") {
-  CHECK(failed_call(task("5.1"), "\"\\\n\xff\x1b").json ==
+  CHECK(TaskCaller(table(), task("5.1")).mistake("\"\\\n\xff\x1b").json ==
         "{\"task\":\"5.1\",\"error\":\"\\\"\\\\\\n\xef\xbf\xbd\\u001b\"}");
   CHECK(answer("5.1", R"({"\n\u0000\"": 1})") == R"({"task":"5.1","error":"\\x0a\\x00\": unknown key; known keys: d, n"})");
 }
@@ -209,7 +209,7 @@ TEST_CASE("calls: what is hidden in a string cannot break an answer", "[calls]")
 TEST_CASE("calls: every task's example has an answer, and its signature the same parameters", "[calls]") {
   for (const TaskInfo& info : task_list()) {
     INFO(info.label << ' ' << info.example);
-    const CallAnswer answered = answer_call(table(), info, info.example);
+    const CallAnswer answered = TaskCaller(table(), info).answer(info.example);
     INFO(answered.json);
     CHECK(answered.good);
     CHECK(std::string(info.example).find('\'') == std::string::npos);  // it stands in a shell's quotes
@@ -241,13 +241,13 @@ TEST_CASE("calls: a mistake, and what a function throws, is an answer", "[calls]
   CHECK(answer("3.1", R"({"shinines": 1})") ==
         R"({"task":"3.1","error":"shinines: unknown key, did you mean 'shininess'?"})");
   StageTable broken;
-  CHECK(answer_call(broken, task("3.1"), R"({"shininess": 1})").json ==
+  CHECK(TaskCaller(broken, task("3.1")).answer(R"({"shininess": 1})").json ==
         R"({"task":"3.1","error":"task 3.1 is not in this implementation"})");
   broken.specular_weight = [](double) -> double { throw NotWritten("task 3.1 is not written yet"); };
-  CHECK(answer_call(broken, task("3.1"), R"({"shininess": 1})").json ==
+  CHECK(TaskCaller(broken, task("3.1")).answer(R"({"shininess": 1})").json ==
         R"({"task":"3.1","error":"task 3.1 is not written yet"})");
   broken.specular_weight = [](double) -> double { throw 7; };
-  CHECK_FALSE(answer_call(broken, task("3.1"), R"({"shininess": 1})").good);
+  CHECK_FALSE(TaskCaller(broken, task("3.1")).answer(R"({"shininess": 1})").good);
 }
 
 TEST_CASE("calls: arguments reach their own parameters, in any order", "[calls]") {

@@ -124,7 +124,8 @@ reflected a second time.
 radius 1. In `float` it is worse: the whole picture is 1.8e-7 high, and the components of its rays, near 0.26 and 0.97, are 3e-8 and 6e-8 from the
 next ones, so there are a handful of different rows.
 
-*What cures it.* `pass()`, as above. For the engine in `float` there is none: its points are 2 apart where the balls are.)"},
+*What cures it.* `pass()`, as above. For the engine in `float` there is none: its points are 2 apart where the balls are. (For *beyond*, what is said of the
+far balls holds here, too.)"},
     {"wide_wall", false, R"(**A shadow theater, seen from the first row**: 89.9999999 degrees to each side.
 
 *What goes wrong.* The nearest `float` to 89.9999999 is 90, and in radians it is a little more than a right angle. So `tan(theta)` is not 5.7e8

@@ -37,17 +37,6 @@ TaskSignature signature(const TaskInfo& task, Result (*)(Parameters...)) {
   return {{{*name++, PlainJson<typename Kept<Parameters>::Type>::describe()}...}, result};
 }
 
-template <class Result, class... Parameters>
-std::string called(const TaskInfo& task, Result (*function)(Parameters...), std::string_view arguments) {
-  if (!function) throw std::runtime_error("task " + std::string(task.label) + " is not in this implementation");
-  const Result result = call_function(function, parameter_names(task, sizeof...(Parameters)), parse_json(arguments));
-  std::string line = "{\"task\":" + json_string(task.label) + ",\"name\":" + json_string(task.name) + ",\"result\":";
-  PlainJson<Result>::write(line, result, json_number);
-  line += ",\"hex\":";
-  PlainJson<Result>::write(line, result, json_hex_number);
-  return line + '}';
-}
-
 }  // namespace
 
 TaskSignature signature_of(const TaskInfo& task) {
@@ -56,28 +45,41 @@ TaskSignature signature_of(const TaskInfo& task) {
   return found;
 }
 
-std::string call_task(const StageTable& table, const TaskInfo& task, std::string_view arguments) {
-  std::string line;
+TaskCaller::TaskCaller(const StageTable& table, const TaskInfo& task) : table_(table), task_(task) {
+  with_function(table, task.label, [&]<class Result, class... Parameters>(Result (*)(Parameters...)) {
+    names_ = parameter_names(task, sizeof...(Parameters));
+  });
+}
+
+std::string TaskCaller::call(std::string_view arguments) const {
+  std::string line = "{\"task\":" + json_string(task_.label) + ",\"name\":" + json_string(task_.name) + ",\"result\":";
+  const auto call_and_write = [&]<class Result, class... Parameters>(Result (*function)(Parameters...)) {
+    if (!function) throw std::runtime_error("task " + std::string(task_.label) + " is not in this implementation");
+    const Result result = call_function(function, names_, parse_json(arguments));
+    PlainJson<Result>::write(line, result, json_number);
+    line += ",\"hex\":";
+    PlainJson<Result>::write(line, result, json_hex_number);
+  };
   try {
-    with_function(table, task.label, [&](auto function) { line = called(task, function, arguments); });
+    with_function(table_, task_.label, call_and_write);
   } catch (const std::exception&) {
     throw;
   } catch (...) {
     throw std::runtime_error("the function threw something that is no std::exception");
   }
-  return line;
+  return line + '}';
 }
 
-CallAnswer answer_call(const StageTable& table, const TaskInfo& task, std::string_view arguments) {
+CallAnswer TaskCaller::answer(std::string_view arguments) const {
   try {
-    return {call_task(table, task, arguments), true};
+    return {call(arguments), true};
   } catch (const std::exception& error) {
-    return failed_call(task, error.what());
+    return mistake(error.what());
   }
 }
 
-CallAnswer failed_call(const TaskInfo& task, std::string_view error) {
-  return {"{\"task\":" + json_string(task.label) + ",\"error\":" + json_string(error) + '}', false};
+CallAnswer TaskCaller::mistake(std::string_view error) const {
+  return {"{\"task\":" + json_string(task_.label) + ",\"error\":" + json_string(error) + '}', false};
 }
 
 }  // namespace raylab

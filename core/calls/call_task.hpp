@@ -22,22 +22,33 @@ struct TaskSignature {
 
 TaskSignature signature_of(const TaskInfo& task);
 
-/// Calls a task's function in `table`. `arguments`: a JSON object with a member for each parameter, as in `task.example`.
-/// Returns one line of JSON, {"task":"2.2","name":"sphere_hit","result":4.0,"hex":"0x1p+2"}: the result with decimal numbers
-/// that read back exactly, and again with hexadecimal ones. docs/call.md has the format.
-/// Throws InputError if the arguments are not what the task takes, std::runtime_error if the table has no such function, and
-/// what the function throws, as std::runtime_error where it is no std::exception.
-std::string call_task(const StageTable& table, const TaskInfo& task, std::string_view arguments);
-
 struct CallAnswer {
   std::string json;  ///< one line
   bool good;         ///< is it a result?
 };
 
-/// The same, where a mistake, or anything that the function throws, is an answer too: {"task":"2.2","error":"..."}.
-CallAnswer answer_call(const StageTable& table, const TaskInfo& task, std::string_view arguments);
+/// Calls a task's function in a table, again and again.
+class TaskCaller {
+ public:
+  TaskCaller(const StageTable& table, const TaskInfo& task);
 
-/// That answer, with the words for the mistake.
-CallAnswer failed_call(const TaskInfo& task, std::string_view error);
+  /// `arguments`: a JSON object with a member for each parameter, as in the task's example.
+  /// Returns one line of JSON, {"task":"2.2","name":"sphere_hit","result":4.0,"hex":"0x1p+2"}: the result with decimal
+  /// numbers that read back exactly, and again with hexadecimal ones. docs/call.md has the format.
+  /// Throws InputError if the arguments are not what the task takes, std::runtime_error if the table has no such function,
+  /// and what the function throws, as std::runtime_error where it is no std::exception.
+  std::string call(std::string_view arguments) const;
+
+  /// The same, where a mistake, or anything that the function throws, is an answer too: {"task":"2.2","error":"..."}.
+  CallAnswer answer(std::string_view arguments) const;
+
+  /// That answer, with the words for the mistake.
+  CallAnswer mistake(std::string_view error) const;
+
+ private:
+  StageTable table_;
+  TaskInfo task_;
+  std::vector<std::string> names_;  ///< of the parameters
+};
 
 }  // namespace raylab

@@ -73,14 +73,14 @@ void print(const std::string& line) {
 }
 
 /// Answers each line of standard input with a line. Returns whether all answers are results.
-bool answer_lines(const StageTable& table, const TaskInfo& task) {
+bool answer_lines(const TaskCaller& caller) {
   std::ios::sync_with_stdio(false);  // a third of the time for long lines
   bool all_good = true;
   for (std::string line; read_line(std::cin, line);) {
     if (is_blank(line)) continue;
     const CallAnswer answer = line.size() > longest_line
-                                  ? failed_call(task, "the line is longer than " + std::to_string(longest_line) + " bytes")
-                                  : answer_call(table, task, line);
+                                  ? caller.mistake("the line is longer than " + std::to_string(longest_line) + " bytes")
+                                  : caller.answer(line);
     print(answer.json);
     all_good = all_good && answer.good;
   }
@@ -90,14 +90,13 @@ bool answer_lines(const StageTable& table, const TaskInfo& task) {
 void run(const Call& call) {
   if (call.list) return list_tasks();
   if (call.task.empty()) throw Failure("name a task; 'raylab call --list' lists them", wrong_usage);
-  const TaskInfo& task = find_task(call.task);
-  const StageTable table = table_for(call.with, call.precision);
+  const TaskCaller caller(table_for(call.with, call.precision), find_task(call.task));
   if (call.from_input) {
-    if (!answer_lines(table, task)) throw CLI::RuntimeError(failure);
+    if (!answer_lines(caller)) throw CLI::RuntimeError(failure);
     return;
   }
   try {
-    print(call_task(table, task, call.arguments));
+    print(caller.call(call.arguments));
   } catch (const InputError& error) {
     throw Failure(error.what(), wrong_usage);
   }

@@ -68,17 +68,19 @@ int side_of(const DirectionalLight& light, const Plane& plane) {
   return sign_of_dot(-unit(light.direction), unit(plane.normal));
 }
 
-bool reaches_through(const Sphere& sphere, const Plane& plane) {
-  const Vec3 n = unit(plane.normal);
-  const int side = side_of(sphere.center, plane);
-  return side == 0 || side_of(sphere.center - (side * sphere.radius) * n, plane) == -side;
+bool reaches_through(const Sphere& sphere, const Vec3& point_of_plane, const Vec3& n) {
+  const Vec3 center = sphere.center - point_of_plane;
+  const int side = sign_of_dot(center, n);
+  return side == 0 || sign_of_dot(center - (side * sphere.radius) * n, n) == -side;
 }
 
 /// The side of a plane that all is on that can be seen: the camera's, since planes are opaque and have no end. 0: both,
 /// where glass reaches through (what is inside is passed by, D15), or where the camera is in the plane.
 int seen_side(const Plane& plane, const Scene& scene, bool glass) {
-  const auto through = [&](const Sphere& sphere) { return reaches_through(sphere, plane); };
   if (glass) {
+    const auto through = [&, n = unit(plane.normal)](const Sphere& sphere) {
+      return reaches_through(sphere, plane.point, n);
+    };
     for (const SphereObject& sphere : scene.spheres)
       if (sphere.material.transparent && through(sphere.shape)) return 0;
     for (const SphereCloud& cloud : scene.clouds)
