@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/render/engine.hpp"
+#include "reference/engine/formulas.hpp"
 
 #include <memory>
 #include <string>
@@ -12,12 +13,13 @@ namespace raylab {
 /// The type that the fast engine computes in.
 enum class Precision { f32, f64 };
 
-/// How the fast engine is to work. Nothing of this but the precision changes a bit of the image.
+/// How the fast engine is to work. Nothing of this but precision and formulas changes a bit of the image.
 struct FastOptions {
   Precision precision = Precision::f64;
   std::string simd = {};  ///< the instruction set, a name of simd_targets(); empty: default_simd_target()
   bool hierarchy = true;  ///< false: ask every sphere, however many there are
   unsigned threads = 1;   ///< to prepare the scene with
+  Formulas formulas = {};
 };
 
 /// An instruction set that this machine can run the engine with.
@@ -27,7 +29,8 @@ struct SimdTarget {
 };
 
 /// The instruction sets that this machine and this build have, the widest first; "scalar" is always the last one.
-std::vector<SimdTarget> simd_targets();
+/// With other formulas than the engine's own there are none if the build leaves those out.
+std::vector<SimdTarget> simd_targets(Formulas formulas = {});
 
 /// The widest one, or the one that the environment variable RAYLAB_SIMD names. Throws std::invalid_argument where it names
 /// one that is not among simd_targets().
@@ -40,7 +43,7 @@ std::string_view default_simd_target();
 /// gives the same bits in any thread and with any instruction set. `scene` is copied. Throws std::invalid_argument for `f32`
 /// if a coordinate, color, intensity or shininess (but infinity) is beyond 1e15 in size or a radius is below 1e-15: their
 /// squares would leave a float's range. Directions and normals may have any length. Throws it, too, for a `simd` that is
-/// not among simd_targets(), and for more than 100 bounces.
+/// not among simd_targets(options.formulas), and for more than 100 bounces.
 std::unique_ptr<Engine> make_fast(const Scene& scene, const Settings& settings, const FastOptions& options);
 
 }  // namespace raylab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/render/engine.hpp"
+#include "reference/engine/formulas.hpp"
 #include "reference/engine/prepared.hpp"
 
 #include <atomic>
@@ -25,10 +26,17 @@ struct Kernel {
   TraceRows<double> trace_f64;
 };
 
-/// One number at a time, in the instructions that every machine has.
-extern const Kernel scalar_kernel;
-
-/// The kernels with packs that this machine can run, the widest first.
-std::vector<Kernel> pack_kernels();
+/// The kernels by the formulas that the namespaces say. scalar_kernel: one number at a time, in the instructions that every
+/// machine has. pack_kernels(): those with packs that this machine can run, the widest first.
+#define RAYLAB_DECLARE_KERNELS(formulas) \
+  namespace formulas {                   \
+  extern const Kernel scalar_kernel;     \
+  std::vector<Kernel> pack_kernels();    \
+  }
+RAYLAB_DECLARE_KERNELS(foot_log1p)
+RAYLAB_DECLARE_KERNELS(foot_cosine)
+RAYLAB_DECLARE_KERNELS(textbook_log1p)
+RAYLAB_DECLARE_KERNELS(textbook_cosine)
+#undef RAYLAB_DECLARE_KERNELS
 
 }  // namespace raylab::fast

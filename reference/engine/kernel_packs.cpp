@@ -1,5 +1,7 @@
 // The kernel for packs, once for each instruction set. Highway includes this file again and again, each time with another
 // namespace HWY_NAMESPACE and with the compiler set to another instruction set.
+//
+// With RAYLAB_FORMULAS defined as one of the namespaces of formulas.hpp, the same by those formulas.
 
 // SSSE3 is too old to be worth its compile time, and AVX3_DL has nothing for us that AVX3 has not. A vector of SVE or RVV,
 // whose size is known at run time only, can be no member of a class.
@@ -11,6 +13,10 @@
 #endif
 #ifdef __SSSE3__  // the compiler was told which machine it is for: then that is the only one
 #define HWY_COMPILE_ONLY_STATIC
+#endif
+
+#ifndef RAYLAB_FORMULAS
+#define RAYLAB_FORMULAS foot_log1p
 #endif
 
 #include "reference/engine/constants.hpp"
@@ -37,13 +43,13 @@ HWY_BEFORE_NAMESPACE();
 #undef RAYLAB_INLINE
 #undef RAYLAB_ATTRIBUTE
 #undef RAYLAB_PACKS
-#define RAYLAB_TARGET HWY_NAMESPACE
+#define RAYLAB_TARGET RAYLAB_FORMULAS::HWY_NAMESPACE
 #define RAYLAB_INLINE HWY_INLINE
 #define RAYLAB_ATTRIBUTE HWY_ATTR
 #define RAYLAB_PACKS
 #include "reference/engine/kernel/parts.hpp"
 
-namespace raylab::fast::HWY_NAMESPACE {
+namespace raylab::fast::RAYLAB_FORMULAS::HWY_NAMESPACE {
 
 constexpr Kernel this_kernel(std::string_view name) {
   return {name,
@@ -54,12 +60,12 @@ constexpr Kernel this_kernel(std::string_view name) {
           trace_rows<Twin<Pack<double>>>};
 }
 
-}  // namespace raylab::fast::HWY_NAMESPACE
+}  // namespace raylab::fast::RAYLAB_FORMULAS::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-namespace raylab::fast {
+namespace raylab::fast::RAYLAB_FORMULAS {
 
 std::vector<Kernel> pack_kernels() {
   std::vector<Kernel> kernels;
@@ -80,5 +86,5 @@ std::vector<Kernel> pack_kernels() {
   return kernels;
 }
 
-}  // namespace raylab::fast
+}  // namespace raylab::fast::RAYLAB_FORMULAS
 #endif

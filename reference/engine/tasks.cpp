@@ -14,12 +14,12 @@
 #include <numbers>
 #include <tuple>
 
-#define RAYLAB_TARGET single
+#define RAYLAB_TARGET foot_log1p::single
 #define RAYLAB_INLINE inline
 #define RAYLAB_ATTRIBUTE
 #include "reference/engine/kernel/parts.hpp"
 
-namespace raylab::fast::single {
+namespace raylab::fast::foot_log1p::single {
 namespace {
 
 /// The tasks in T.
@@ -224,12 +224,12 @@ StageTable table() {
 }
 
 }  // namespace
-}  // namespace raylab::fast::single
+}  // namespace raylab::fast::foot_log1p::single
 
 namespace raylab {
 
 StageTable fast_table(Precision precision) {
-  return precision == Precision::f32 ? fast::single::table<float>() : fast::single::table<double>();
+  return precision == Precision::f32 ? fast::foot_log1p::single::table<float>() : fast::foot_log1p::single::table<double>();
 }
 
 }  // namespace raylab

@@ -25,6 +25,7 @@ RAYLAB_INLINE Passing<V> pass(const Vec3<V>& o, const Vec3<V>& d, const Vec3<V>&
   const Vec3<V> to_center = c - o;
   const V foot = dot(to_center, d);
   const Vec3<V> perp = to_center - foot * d;
+  if constexpr (formulas.sphere == SphereFormula::textbook) return {foot, perp, dot(to_center, to_center) - foot * foot};
   return {foot, perp, dot(perp, perp)};
 }
 
@@ -65,6 +66,7 @@ RAYLAB_INLINE Meeting<V> meet(MaskOf<V> asked, const Passing<V>& passing, V radi
   const MaskOf<V> inside = rough_gap < V(0);
   const MaskOf<V> met = asked & (discriminant >= V(0)) & (inside | (foot > V(0)));
   const V t = foot + select(inside, half, -half);
+  if constexpr (formulas.sphere == SphereFormula::textbook) return {met, t, half, inside};
   const MaskOf<V> nearby = asked & (magnitude(rough_gap) < V(1.0f / 16) * squared);
   if (none(nearby)) [[likely]]
     return {met, t, half, inside};

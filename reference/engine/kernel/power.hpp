@@ -38,6 +38,16 @@ RAYLAB_INLINE V exponential(V y) {
   return polynomial(r, exponential_series<T>) * power_of_two(k_and_magic);
 }
 
+/// cosine^alpha for the lanes of `asked` where the cosine is positive; 0 in the others.
+template <class V>
+RAYLAB_INLINE V power_of_cosine(MaskOf<V> asked, V cosine, V alpha) {
+  using T = NumberOf<V>;
+  const V known = least(greatest(cosine, V(std::numeric_limits<T>::min())), V(1));
+  const V y = alpha * log_of_ratio(V(1), known, V(1));
+  const auto above = asked & (cosine > V(0)) & (y > V(-cut_off<T>));
+  return select(above, exponential(select(above, y, V(0))), V(0));
+}
+
 /// max(0, H.N)^alpha with H = unit(l + v), for the lanes of `asked`; 0 in the others.
 ///
 /// Neither H nor its angle is worked out: |l + v|^2 cos^2 and |l + v|^2 sin^2 come from the parts of l + v along n and
@@ -47,6 +57,8 @@ RAYLAB_INLINE V highlight(MaskOf<V> asked, const Vec3<V>& l, const Vec3<V>& n, c
   using T = NumberOf<V>;
   const Vec3<V> sum = l + v;
   const V along = dot(sum, n);
+  if constexpr (formulas.power == PowerFormula::cosine)
+    return power_of_cosine(asked, along / square_root(dot(sum, sum)), alpha);
   const Vec3<V> across = sum - along * n;
   const V squared = dot(sum, sum);
   const V sine2 = dot(across, across);
