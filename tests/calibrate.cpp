@@ -3,13 +3,13 @@
 // stage. Prints the page docs/calibration.md; exit code 1 if anything is nearer to the limit than that.
 //   raylab-calibrate [quick]      quick: of each mistake, the first scene that shows it is enough
 
+#include "bench/variants/handout_renderer.hpp"
 #include "core/image/diff.hpp"
 #include "core/image/image_file.hpp"
 #include "core/render/stages_engine.hpp"
 #include "reference/engine/engine.hpp"
 #include "tests/mistakes/mistakes.hpp"
 #include "tests/subjects.hpp"
-#include "tests/variants/handout_renderer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +26,7 @@ extern "C" const raylab::ExportedTasks* raylab_tasks_solution();
 
 using namespace raylab;
 using namespace raylab::test;
+using namespace raylab::bench;
 
 namespace {
 

@@ -3,12 +3,12 @@
 // in double is not.
 //   raylab-hard-scenes [FOLDER]      writes the page's pictures too
 
+#include "bench/variants/handout_renderer.hpp"
 #include "core/image/diff.hpp"
 #include "core/image/diff_pictures.hpp"
 #include "core/image/image_file.hpp"
 #include "reference/engine/engine.hpp"
 #include "tests/subjects.hpp"
-#include "tests/variants/handout_renderer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +21,7 @@
 
 using namespace raylab;
 using namespace raylab::test;
+using namespace raylab::bench;
 
 namespace {
 
@@ -35,7 +36,7 @@ Whole pictures that rounding spoils: what textbook formulas make of them in `dou
 [`scenes/hard`](../scenes/hard), with a reference each, at the last stage. They are for comparing arithmetic: nobody's program is graded
 with them, and [the calibration](calibration.md) leaves them out.
 
-*The textbook* is the renderer of `tests/variants/handout_renderer.cpp`, which is right on all other scenes, in `float` too: `b^2 - 4ac` with
+*The textbook* is the renderer of `bench/variants/handout_renderer.cpp`, which is right on all other scenes, in `float` too: `b^2 - 4ac` with
 `c = |o - C|^2 - R^2`, rays that start an epsilon of 0.001 off their surface, angles by `acos` and `asin`. *The engine* is the fast one
 ([its formulas](engine.md)). Each picture shows, from the left: the oracle's reference, the textbook in `double` and in `float`, the engine
 in `float`. The engine in `double` cannot be told from the oracle.

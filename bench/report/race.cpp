@@ -10,18 +10,18 @@
 namespace raylab::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = double (*)();
 
-double seconds_of(const std::function<void()>& run, long times) {
-  const auto start = Clock::now();
+double seconds_of(const std::function<void()>& run, long times, Clock clock) {
+  const double start = clock();
   for (long i = 0; i < times; ++i) run();
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return clock() - start;
 }
 
 /// How many runs last `least_seconds`: found by doubling, so that caches are warm when the first round begins.
-long repeats(const std::function<void()>& run, double least_seconds) {
+long repeats(const std::function<void()>& run, double least_seconds, Clock clock) {
   for (long times = 1;; times *= 2)
-    if (seconds_of(run, times) >= least_seconds) return times;
+    if (seconds_of(run, times, clock) >= least_seconds) return times;
 }
 
 /// Between the two values that stand next to `place`, from 0 to 1, in a sorted list.
@@ -46,16 +46,18 @@ Json spread(std::vector<double> values) {
           {"noisy", high - low > noisy_spread * median}};
 }
 
+double wall_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
 std::vector<std::vector<double>> race(std::span<const std::function<void()>> contenders, int rounds, double least_seconds,
-                                      const std::atomic<bool>& cancel) {
+                                      const std::atomic<bool>& cancel, Clock clock) {
   const auto run = [&](std::size_t k, long times) {
     if (cancel) throw Cancelled{};
-    return seconds_of(contenders[k], times);
+    return seconds_of(contenders[k], times, clock);
   };
   std::vector<long> times;
   for (const std::function<void()>& contender : contenders) {
     if (cancel) throw Cancelled{};
-    times.push_back(repeats(contender, least_seconds));
+    times.push_back(repeats(contender, least_seconds, clock));
   }
   std::vector<std::vector<double>> seconds(contenders.size());
   for (int round = 0; round < rounds; ++round)

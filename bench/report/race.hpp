@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bench/report/unit.hpp"
+#include "core/render/thread_seconds.hpp"
 
 #include <atomic>
 #include <functional>
@@ -18,9 +19,12 @@ Json spread(std::vector<double> values);
 
 /// Runs the contenders in turn, round after round, so that a machine that drifts slows all of them; each round begins with
 /// another one. A contender that takes less than `least_seconds` is run again and again until that is over.
-/// Returns the wall time of one run, in seconds: for each contender one number a round.
+/// Returns the time of one run in seconds, by `clock`: for each contender one number a round.
 /// Throws Cancelled between two runs once `cancel` is set, and what a contender throws.
 std::vector<std::vector<double>> race(std::span<const std::function<void()>> contenders, int rounds, double least_seconds,
-                                      const std::atomic<bool>& cancel);
+                                      const std::atomic<bool>& cancel, double (*clock)() = thread_seconds);
+
+/// The time that passes, in seconds, whoever works.
+double wall_seconds();
 
 }  // namespace raylab::bench

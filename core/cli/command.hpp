@@ -25,6 +25,7 @@ void add_stages(CLI::App& app);
 void add_call(CLI::App& app);
 void add_test(CLI::App& app);
 void add_diff(CLI::App& app);
+void add_bench(CLI::App& app);  ///< in builds with engine and oracle
 void add_reference(CLI::App& app);
 void add_doctor(CLI::App& app);
 

@@ -24,9 +24,7 @@ namespace {
 
 constexpr int last_built_in_stage = 7;  // of the engines that do not run the stage table
 
-const std::map<std::string, AntiAliasing> patterns = {
-    {"none", AntiAliasing::none},     {"grid4", AntiAliasing::grid4},   {"rotated4", AntiAliasing::rotated4},
-    {"grid16", AntiAliasing::grid16}, {"grid64", AntiAliasing::grid64}, {"adaptive", AntiAliasing::adaptive}};
+const std::map<std::string, AntiAliasing> patterns(aa_patterns.begin(), aa_patterns.end());
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;

@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
       "  raylab test 5                                        the tests of stage 5\n"
       "  raylab diff mine.exr --scene scene3 --stage 5        what is wrong with a picture\n"
       "  raylab call schlick '{\"cos_theta\": 0.5, \"refractive_index\": 1.5}'   one function of a stage\n"
+      "  raylab bench --quick                                 speed against error on this machine, as a page\n"
       "  raylab COMMAND --help                                more about a command",
       "raylab");
   app.set_version_flag("--version", RAYLAB_VERSION);
@@ -27,6 +28,9 @@ int main(int argc, char** argv) {
   add_call(app);
   add_diff(app);
   add_test(app);
+#ifdef RAYLAB_WITH_BENCH
+  add_bench(app);
+#endif
   add_reference(app);
   add_doctor(app);
 

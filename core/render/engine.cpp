@@ -36,10 +36,17 @@ std::vector<SampleOffset> sample_offsets(AntiAliasing pattern) {
       return grid(4);
     case AntiAliasing::grid64:
       return grid(8);
+    case AntiAliasing::grid1024:
+      return grid(32);
     case AntiAliasing::adaptive:
       return rotated_first(grid(4));
   }
   return {};
+}
+
+std::string_view aa_name(AntiAliasing pattern) {
+  return std::find_if(aa_patterns.begin(), aa_patterns.end(), [&](const auto& named) { return named.second == pattern; })
+      ->first;
 }
 
 bool samples_agree(std::span<const Color> samples) {

@@ -4,18 +4,34 @@
 #include "core/math/vec3.hpp"
 #include "core/scene/scene.hpp"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace raylab {
 
 /// Where in a pixel the samples lie. `adaptive`: the four of rotated4, and where these disagree the twelve others of grid16,
 /// which has those four too.
-enum class AntiAliasing { none, grid4, rotated4, grid16, grid64, adaptive };
+enum class AntiAliasing { none, grid4, rotated4, grid16, grid64, grid1024, adaptive };
+
+/// What the patterns are called, in order.
+inline constexpr std::array<std::pair<std::string_view, AntiAliasing>, 7> aa_patterns{
+    {{"none", AntiAliasing::none},
+     {"grid4", AntiAliasing::grid4},
+     {"rotated4", AntiAliasing::rotated4},
+     {"grid16", AntiAliasing::grid16},
+     {"grid64", AntiAliasing::grid64},
+     {"grid1024", AntiAliasing::grid1024},
+     {"adaptive", AntiAliasing::adaptive}}};
+
+/// The name of a pattern.
+std::string_view aa_name(AntiAliasing pattern);
 
 /// The sample places of a pattern, in pixels from the pixel's centre: one in the centre, the centres of n x n equal squares
 /// row by row from the top left, or the rotated grid of the handout's section 2.1. Of `adaptive`, all sixteen, the four that

@@ -1,5 +1,7 @@
 #include "core/render/render.hpp"
 
+#include "core/render/thread_seconds.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -16,16 +18,6 @@ namespace raylab {
 namespace {
 
 constexpr int band_rows = 8;
-
-/// The processor time of the calling thread: what else its core does meanwhile does not count. Where the system does not
-/// tell, the time that passes.
-double thread_seconds() {
-#ifdef CLOCK_THREAD_CPUTIME_ID
-  if (timespec now; clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) == 0)
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-#endif
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// The bands of an image on their way from the threads that compute them to the one that wants them in order.
 class Bands {

@@ -1,6 +1,6 @@
-#include "tests/variants/handout_renderer.hpp"
+#include "bench/variants/handout_renderer.hpp"
 
-namespace raylab::test {
+namespace raylab::bench {
 
 using MakeHandout = std::unique_ptr<Engine>(const Scene&, const Settings&, const Variant&);
 MakeHandout make_handout_renderer_o2, make_handout_renderer_fast_math;
@@ -17,4 +17,4 @@ std::vector<HandoutBuild> handout_builds() {
   return builds;
 }
 
-}  // namespace raylab::test
+}  // namespace raylab::bench

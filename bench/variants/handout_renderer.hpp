@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace raylab::test {
+namespace raylab::bench {
 
 /// Choices that the model leaves to whoever writes a renderer: each gives a right image, with roundings of its own or as one
 /// of the "Accepted variants" (docs/errata.md).
@@ -47,4 +47,4 @@ struct HandoutBuild {
 /// implementations.
 std::vector<HandoutBuild> handout_builds();
 
-}  // namespace raylab::test
+}  // namespace raylab::bench

@@ -1,5 +1,5 @@
 // Compiled once for each set of flags, which RAYLAB_VARIANT_FLAGS names.
-#include "tests/variants/handout_renderer.hpp"
+#include "bench/variants/handout_renderer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #define RAYLAB_CONCAT(a, b) a##b
 #define RAYLAB_MAKER(flags) RAYLAB_CONCAT(make_handout_renderer_, flags)
 
-namespace raylab::test {
+namespace raylab::bench {
 namespace {
 
 template <class Real>
@@ -370,4 +370,4 @@ std::unique_ptr<Engine> RAYLAB_MAKER(RAYLAB_VARIANT_FLAGS)(const Scene& scene, c
   return std::make_unique<HandoutRenderer<double>>(scene, settings, variant);
 }
 
-}  // namespace raylab::test
+}  // namespace raylab::bench

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "bench/report/figures.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace raylab::bench {
+
+/// A figure that differs between two reports by more than noise.
+struct Change {
+  Figure before, after;
+  double ratio = 1;  ///< after by before; infinite where that was 0
+  bool better = false;
+};
+
+/// How two reports differ.
+struct ReportChanges {
+  std::vector<std::string> runs_differ;  ///< how the runs do: machine, compiler, mode; a sentence each
+  double timing_ratio = 1;               ///< the median over all times that both have: how much slower the second run was
+  std::size_t times = 0, errors = 0;     ///< figures that both have
+  std::vector<Change> changed_times, changed_errors;  ///< the greatest changes first
+  std::vector<std::string> only_before, only_after;   ///< what has figures in one of them only
+};
+
+/// A time has changed where its medians are further apart than three times what the quartiles of both allow, and than 5 %.
+/// Errors are the same on each run of the same program: they have changed where they differ by more than 1 in 1e6.
+/// Throws std::runtime_error if one of them is no report.
+ReportChanges compare_reports(const Json& before, const Json& after);
+
+}  // namespace raylab::bench
