@@ -38,7 +38,9 @@ rule 'core/render/*' core/math/ core/scene/ core/image/ core/render/ stages/stag
 rule 'core/calls/*' core/math/ core/scene/ core/image/ core/render/ core/calls/
 rule 'core/references/*' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/
 rule 'core/report/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/ core/report/
-rule 'core/cli/*.?pp' core/ 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp' tests/runner.hpp
+rule 'core/cli/*.?pp' core/ 'bench/report/(bench|compare).hpp' 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp' tests/runner.hpp
+rule 'bench/report/*.?pp' core/ bench/ 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp'
+rule 'bench/variants/*.?pp' core/ bench/variants/
 rule 'stages/*/*.?pp' core/math/ 'stages/[0-9][0-9]_'
 rule 'stages/export_tasks.cpp' core/math/ stages/stages.hpp
 rule 'reference/solution/*' 'stages/[0-9][0-9]_'
@@ -53,7 +55,7 @@ only CLI/ '^core/cli/'
 only boost/ '^reference/oracle/'
 only hwy/ '^(bench|reference/engine)/'
 only glm '^(core/math|reference/solution|stages)/'
-only nlohmann '^(core/(calls|cli|references|report)|tests)/'
+only nlohmann '^(bench/report|core/(calls|cli|references|report)|tests)/'
 only catch2 '^tests/'
 only '(sys/|unistd|linux/|windows|fcntl)' '^nobody$'  # no file knows which system it is on
 

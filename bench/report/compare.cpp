@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <stdexcept>
 
 namespace raylab::bench {
 namespace {
@@ -47,7 +46,7 @@ double median(std::vector<double> values) {
 
 void require_report(const Json& report) {
   if (!report.is_object() || report.value("format", "") != "raylab bench 1")
-    throw std::runtime_error("not a report of raylab bench: it should have \"format\": \"raylab bench 1\"");
+    throw NoReport("not a report of raylab bench: it should have \"format\": \"raylab bench 1\"");
 }
 
 std::vector<std::string> differences_of_runs(const Json& before, const Json& after) {

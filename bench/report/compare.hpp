@@ -3,10 +3,16 @@
 #include "bench/report/figures.hpp"
 
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace raylab::bench {
+
+/// What is no report of raylab bench.
+struct NoReport : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// A figure that differs between two reports by more than noise.
 struct Change {
@@ -26,7 +32,7 @@ struct ReportChanges {
 
 /// A time has changed where its medians are further apart than three times what the quartiles of both allow, and than 5 %.
 /// Errors are the same on each run of the same program: they have changed where they differ by more than 1 in 1e6.
-/// Throws std::runtime_error if one of them is no report.
+/// Throws NoReport if one of them is none, and nlohmann's exceptions if it lacks what a report has.
 ReportChanges compare_reports(const Json& before, const Json& after);
 
 }  // namespace raylab::bench

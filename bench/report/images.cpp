@@ -22,7 +22,7 @@ const std::vector<AntiAliasing> sampled_patterns{AntiAliasing::none,   AntiAlias
 constexpr AntiAliasing converged = AntiAliasing::grid1024;
 
 /// What is large enough to time, small enough for the oracle, and shows edges.
-ImageSize timed_size(const Plan& plan) { return plan.quick ? ImageSize{120, 90} : ImageSize{320, 240}; }
+ImageSize timed_size(const Plan& plan) { return plan.quick ? ImageSize{120, 90} : ImageSize{240, 180}; }
 ImageSize error_size(const Plan& plan) { return plan.quick ? ImageSize{32, 24} : ImageSize{96, 72}; }
 ImageSize sampling_size(const Plan& plan) { return plan.quick ? ImageSize{80, 60} : ImageSize{160, 120}; }
 
@@ -76,7 +76,7 @@ Json time_engines(const std::vector<Named>& engines, ImageSize size, const Plan&
       RayCounts counts;
       engine.trace_rows(0, pixels, counts, cancel);
     });
-  const auto seconds = race(contenders, plan.quick ? 3 : 7, plan.quick ? 0.002 : 0.01, cancel);
+  const auto seconds = race(contenders, plan.quick ? 3 : 5, plan.quick ? 0.002 : 0.01, cancel);
   Json times;
   for (std::size_t k = 0; k < engines.size(); ++k) times[engines[k].first] = seconds[k];
   return times;

@@ -133,6 +133,8 @@ void compare(const std::string& before, const std::string& after) {
   bench::ReportChanges changes;
   try {
     changes = bench::compare_reports(read_report(before), read_report(after));
+  } catch (const bench::NoReport& error) {
+    throw Failure(error.what(), wrong_usage);
   } catch (const Json::exception& error) {
     throw Failure(std::string("one of the two is not a whole report of raylab bench: ") + error.what(), wrong_usage);
   }
