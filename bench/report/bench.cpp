@@ -6,6 +6,7 @@
 #include "bench/report/figures.hpp"
 #include "bench/report/growth.hpp"
 #include "bench/report/journal.hpp"
+#include "bench/report/kernels.hpp"
 #include "bench/report/machine.hpp"
 #include "bench/report/race.hpp"
 #include "core/image/partial_file.hpp"
@@ -30,8 +31,8 @@ std::vector<Unit> peak_units() {
 
 std::vector<Unit> all_units(const BenchRun& run, const StageTable& stages) {
   std::vector<Unit> all = peak_units();
-  for (std::vector<Unit> some :
-       {image_units(run.plan, run.scenes, stages), growth_units(run.plan, stages), edge_units(run.plan)})
+  for (std::vector<Unit> some : {image_units(run.plan, run.scenes, stages), kernel_units(run.plan, stages),
+                                 growth_units(run.plan, stages), edge_units(run.plan)})
     all.insert(all.end(), std::move_iterator(some.begin()), std::move_iterator(some.end()));
   return all;
 }
@@ -103,6 +104,7 @@ Json run_bench(const BenchRun& run, const StageTable& stages, const BenchProgres
   Json images = image_report(run.plan, run.scenes, results);
   report["choices"] = choices_from(images);
   report["images"] = std::move(images);
+  report["kernels"] = kernel_report(results);
   report["growth"] = growth_report(run.plan, results);
   report["edges"] = edge_report(results);
   const std::vector<Figure> figures = figures_of(report);
