@@ -5,9 +5,9 @@
 #include "core/image/image_file.hpp"
 #include "core/report/comparison_json.hpp"
 #include "core/report/diff_page_html.hpp"
+#include "core/report/page_parts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -56,19 +56,6 @@ class Base64Lines {
   std::string bytes_;
 };
 
-std::string html_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else
-      escaped += c;
-  }
-  return escaped;
-}
-
 /// A color as it is shown, in three bytes.
 Json json_bytes(const Color& c) { return Json::array({quantise(c.r), quantise(c.g), quantise(c.b)}); }
 
@@ -93,18 +80,6 @@ Json json_of(const DiffPage& page) {
           {"colorMap", json_of(page.color_map)},
           {"nonFiniteColor", json_bytes(non_finite_color)},
           {"comparison", comparison_json(page.comparison)}};
-}
-
-/// JSON for a <script> element, which `</script>` would end and `<!--` would change: no `<` stays as it is.
-std::string script_json(const Json& json) {
-  std::string safe;
-  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
-    if (c == '<')
-      safe += "\\u003c";
-    else
-      safe += c;
-  }
-  return safe;
 }
 
 /// A <script> element that is no script but holds data; `write` writes it.
@@ -157,13 +132,6 @@ void write_data(std::ostream& out, const DiffPage& page) {
   write_block(out, "object-data", [&](Base64Lines& lines) {
     for (const GeometryId object : page.reference.object) lines.word(static_cast<std::uint32_t>(object));
   });
-}
-
-/// What stands before the mark and what stands after it.
-std::array<std::string_view, 2> split(std::string_view text, std::string_view mark) {
-  const std::size_t at = text.find(mark);
-  if (at == std::string_view::npos) throw std::logic_error("diff_page.html has no " + std::string(mark));
-  return {text.substr(0, at), text.substr(at + mark.size())};
 }
 
 }  // namespace
