@@ -1,27 +1,10 @@
 // Drives pages that `raylab diff --out` wrote, in a browser without a screen: node page_test.mjs PAGE.html...
-// The browser is /usr/bin/chromium, or what the environment variable CHROMIUM names.
 
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
-import {createRequire} from 'node:module';
-import {resolve} from 'node:path';
-import {pathToFileURL} from 'node:url';
-import {chromium} from 'playwright-core';
-
-const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const largeWindow = {
-  width: 1440,
-  height: 900
-};
+import {assertNoAxeViolations, blockOf, drawn, largeWindow, press, testPages, text} from './browser.mjs';
 
 // ------------------------------------------------------------------- what the page holds, read without the page's help
-
-function blockOf(html, id) {
-  const start = html.indexOf(`id="${id}">`);
-  if (start < 0) return null;
-  const from = start + `id="${id}">`.length;
-  return html.subarray(from, html.indexOf('</script>', from)).toString('latin1');
-}
 
 /** Lines of base64, each of which may be padded, as one buffer. */
 function bytesOf(html, id) {
@@ -74,14 +57,6 @@ function expectedColor(data, view, k, gain = 1) {
 }
 
 // ---------------------------------------------------------------------------------------------------- driving the page
-
-const text = (page, selector) => page.locator(selector).innerText();
-const press = async (page, ...keys) => {
-  for (const key of keys) await page.keyboard.press(key);
-};
-
-/** Two frames: whatever was asked to be drawn is drawn. */
-const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 async function place(page) {
   await drawn(page);
@@ -241,15 +216,6 @@ async function assertPanel(page, data) {
   if (!data.report.hasWord) return;
   assertNumbers([facts.Margin, facts.Sensitivity], [data.margin[k], data.sensitivity[k]], 'margin and sensitivity');
   assert.equal(facts.Object, objectName(data.report, data.objectAt(k)));
-}
-
-async function assertNoAxeViolations(page, what) {
-  const violations = await page.evaluate(
-      async () =>
-          (await window.axe.run(document))
-              .violations.map(
-                  ({id, help, nodes}) => `${id}: ${help}: ${nodes.map((node) => node.html.slice(0, 120)).join(' | ')}`));
-  assert.deepEqual(violations, [], what);
 }
 
 // ----------------------------------------------------------------------------------------------------------- the tests
@@ -686,7 +652,6 @@ const tests = {
   },
 
   async 'axe finds nothing, in all modes and colors'(page) {
-    await page.evaluate(axeSource);
     for (const colorScheme of ['light', 'dark']) {
       await page.emulateMedia({colorScheme});
       for (const mode of ['1', '2', '3', '4', 's', 'b', '?']) {
@@ -704,62 +669,4 @@ const tests = {
   },
 };
 
-// ------------------------------------------------------------------------------------------------------------- running
-
-const results = {
-  passed: 0,
-  failed: 0
-};
-
-async function run(name, test) {
-  try {
-    await test();
-    ++results.passed;
-  } catch (error) {
-    ++results.failed;
-    console.log(`FAILED: ${name}\n${error.stack}\n`);
-  }
-}
-
-async function testPage(browser, path) {
-  const data = readPage(path);
-  const url = pathToFileURL(resolve(path)).href;
-  const page = await browser.newPage({viewport: largeWindow, hasTouch: true, colorScheme: 'light'});
-  page.setDefaultTimeout(20000);
-  const unwanted = [];
-  page.on('request', (request) => {
-    if (request.url() !== url) unwanted.push(`request: ${request.url()}`);
-  });
-  page.on('pageerror', (error) => unwanted.push(`error: ${error.stack}`));
-  page.on('console', (message) => unwanted.push(`console: ${message.text()}`));
-  page.on('dialog', (dialog) => {
-    unwanted.push(`dialog: ${dialog.message()}`);
-    dialog.dismiss();
-  });
-  await page.goto(url, {timeout: 60000});
-  for (const [name, test] of Object.entries(tests)) {
-    await run(`${path}: ${name}`, async () => {
-      await reset(page);
-      await test(page, data);
-    });
-  }
-  await run(`${path}: no request, error or message`, async () => assert.deepEqual(unwanted, []));
-  await page.close();
-}
-
-const paths = process.argv.slice(2);
-if (paths.length === 0) {
-  console.error('usage: node page_test.mjs PAGE.html...');
-  process.exit(2);
-}
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: [
-    '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-    '--disable-component-update', '--disable-sync'
-  ],
-});
-for (const path of paths) await testPage(browser, path);
-await browser.close();
-console.log(`${results.passed} passed, ${results.failed} failed`);
-process.exitCode = results.failed === 0 ? 0 : 1;
+await testPages({readPage, reset, tests});
