@@ -196,7 +196,8 @@ function rowPlot(label, rows, {xTitle, base = null}) {
       const textTop = y + 14;
       const middle = narrow ? y + 17 * names.length + 12 : y + 17 * names.length / 2 + 1;
       content.push(
-          ...names.map((text, k) => write(0, textTop + 17 * k, text)), ...oneRow(row, middle, axis, left, right, base));
+          ...names.map((text, k) => write(0, textTop + 17 * k, text, 'halo')),
+          ...oneRow(row, middle, axis, left, right, base));
       y = narrow ? middle + 16 : y + 17 * names.length + 10;
     }
     const grid = axis.ticks.flatMap(({at, text}) => [line(at, 0, at, y, 'grid'), write(at, y + 17, text, 'soft', 'middle')]);
