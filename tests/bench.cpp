@@ -281,6 +281,7 @@ TEST_CASE("bench: the fastest that keeps the bound is picked", "[bench]") {
   add("avx512 fast f32 textbook-sphere none", "f32", 60, 1e-6, "textbook");  // nobody can ask for it
   const Json choices = choices_from(report["images"]);
   CHECK(choices[0]["pick"] == "--engine fast --precision f32");
+  CHECK(choices[0]["sentence"].get<std::string>().ends_with("1.6 to 1.6 times as fast as --engine fast --precision f64."));
   CHECK(choices[1]["pick"] == "--engine fast --precision f64");
   CHECK(choices[1]["sentence"].get<std::string>().find("avx512") != std::string::npos);
 

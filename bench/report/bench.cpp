@@ -8,6 +8,7 @@
 #include "bench/report/journal.hpp"
 #include "bench/report/kernels.hpp"
 #include "bench/report/machine.hpp"
+#include "bench/report/page.hpp"
 #include "bench/report/race.hpp"
 #include "core/image/partial_file.hpp"
 #include "core/render/engine.hpp"
@@ -88,6 +89,7 @@ Json noise_of(const std::vector<Figure>& figures) {
 
 void write_report(const std::filesystem::path& folder, const Json& report, const std::vector<Figure>& figures) {
   write_file(folder / "report.json", [&](std::ostream& out) { out << report.dump(1) << '\n'; });
+  write_file(folder / "report.html", [&](std::ostream& out) { write_page(out, report); });
   write_file(folder / "report.csv", [&](std::ostream& out) { write_csv(out, figures); });
 }
 

@@ -11,6 +11,9 @@
 namespace raylab::bench {
 namespace {
 
+constexpr double visible = 0.5 / 255;  // half a step of an image's 255
+constexpr double comparable = 1e-9;
+
 /// A variant on all scenes where it was measured.
 struct Candidate {
   std::string id;
@@ -103,11 +106,29 @@ std::string pick_sentence(const Candidate& candidate) {
   return text + ".";
 }
 
-Json choice_within(const std::vector<Candidate>& candidates, const char* need, double bound, const std::string& bound_text) {
-  const auto picked = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+/// How many times as fast one is as the other: the least and the most of the scenes that both were measured on.
+std::string times_as_fast(const Candidate& one, const Candidate& other) {
+  double least = 0, most = 0;
+  for (const auto& [scene, entry] : one.ordinary) {
+    const auto found = other.ordinary.find(scene);
+    if (found == other.ordinary.end()) continue;
+    const double ratio = speed(entry) / speed(found->second);
+    least = least == 0 ? ratio : std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+  return print("%.2g to %.2g times as fast as ", least, most) + options_of(other.any) + ".";
+}
+
+/// The fastest that keeps the bound on every ordinary scene; the end if there is none.
+std::vector<Candidate>::const_iterator pick_within(const std::vector<Candidate>& candidates, double bound) {
+  return std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
     return std::all_of(candidate.ordinary.begin(), candidate.ordinary.end(),
                        [&](const auto& on_scene) { return keeps(on_scene.second["arithmetic"], bound); });
   });
+}
+
+Json choice_within(const std::vector<Candidate>& candidates, const char* need, double bound, const std::string& bound_text) {
+  const auto picked = pick_within(candidates, bound);
   if (picked == candidates.end())
     return {{"need", need},
             {"bound", bound_text},
@@ -176,11 +197,14 @@ Json choices_from(const Json& images) {
   const std::vector<Candidate> candidates = candidates_of(images);
   if (candidates.empty()) return Json::array();
   const std::string flips = " Up to one pixel in a thousand may fall on the other side of an edge.";
-  return Json::array(
-      {choice_within(candidates, "a picture to look at", 0.5 / 255,
-                     "no component off by more than half a step of 255." + flips),
-       choice_within(candidates, "numbers to compare with", 1e-9, "no component off by more than 1e-9." + flips),
-       oracle_choice(images), sampling_choice(images)});
+  Json to_look_at = choice_within(candidates, "a picture to look at", visible,
+                                  "no component off by more than half a step of 255." + flips);
+  Json to_compare =
+      choice_within(candidates, "numbers to compare with", comparable, "no component off by more than 1e-9." + flips);
+  const auto fast = pick_within(candidates, visible), precise = pick_within(candidates, comparable);
+  if (precise != candidates.end() && fast != precise)
+    to_look_at["sentence"] = to_look_at["sentence"].get<std::string>() + " " + times_as_fast(*fast, *precise);
+  return Json::array({to_look_at, to_compare, oracle_choice(images), sampling_choice(images)});
 }
 
 }  // namespace raylab::bench

@@ -102,7 +102,7 @@ function variantKey(variants) {
   }));
   const entries = [...names].sort(([a], [b]) => a.localeCompare(b)).map(([name, look]) => [look, name]);
   const crossed = variants.find(isAnotherPicture);
-  const words = 'crossed out: more than one pixel in a thousand flipped, so that the rmse of the rest says little';
+  const words = 'crossed out: another picture, more than one pixel in a thousand flipped';
   return key(crossed ? [...entries, [{...lookOfVariant(crossed), crossed: true}, words]] : entries);
 }
 
@@ -113,7 +113,7 @@ function arithmeticPoints(variants) {
     const isLeader = leaders.has(variant);
     return {
       ...placeOf(variant),
-      y: isNumber(error.rmse_rest) ? error.rmse_rest : null,
+      y: isNumber(error.rmse_judged) ? error.rmse_judged : null,
       look: {...lookOfVariant(variant), crossed: isAnotherPicture(variant)},
       lines: arithmeticLines(variant),
       ...labelsOf(variant, isLeader || variant.on_front),
@@ -177,12 +177,13 @@ function arithmeticPanel(scene, aa) {
     make('p', {
       textContent:
           'How far rounding carries colors from the oracle\'s, which asks for the same samples with many more digits. ' +
-          'Pixels in which rounding turned a decision, such as hit or miss, are not in the rmse but counted as flipped.'
+          'Pixels in which rounding turned a decision, such as hit or miss, are counted as flipped and not in the rmse, ' +
+          'unless they are more than one in a thousand.'
     }),
     variantKey(measured),
     scatterPlot(
         `Speed against the error of arithmetic, ${scene.scene}, ${aa}`, arithmeticPoints(measured),
-        {xTitle: 'Mpixel/s, faster →', yTitle: 'rmse of the pixels that did not flip', breaks: true}),
+        {xTitle: 'Mpixel/s, faster →', yTitle: 'rmse', breaks: true}),
     make('p', {
       className: 'soft',
       textContent: `The thick line is the front, its points are named in bold: nothing is both faster and closer. ` +
