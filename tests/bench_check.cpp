@@ -97,6 +97,35 @@ void check_hard_scene(const Json& scene) {
             scene["scene"].get<std::string>() + ": the textbook's formulas are wrong in float");
 }
 
+// ---- Single tasks ---------------------------------------------------------------------------------------------------
+
+/// The greatest found is 27: of a half vector between l and v that are unit only to a rounding.
+constexpr double most_unexplained = 32;
+
+void check_result(const std::string& where, const Json& result) {
+  check(result["ns"]["median"] > 0, where + ": a time");
+  check(result["answers"] > 0, where + ": compared with the oracle");
+  if (result["by"] == "textbook") return;
+  check(result["non_finite"] == 0, where + ": every answer is finite");
+  check(result["unexplained"].is_null() || result["unexplained"] <= most_unexplained, where + ": right but for rounding");
+  if (result["precision"] == "f64") check(result["wrong_decisions"] == 0, where + ": no wrong decision");
+}
+
+void check_kernels(const Json& kernels) {
+  check(kernels.size() == task_list().size(), "all tasks");
+  std::size_t hard = 0;
+  for (const Json& task : kernels) {
+    check(task["families"][0]["family"] == "ordinary", task["name"].dump() + ": ordinary inputs");
+    for (const Json& family : task["families"]) {
+      hard += family["hard"] == true;
+      const std::string where = task["name"].get<std::string>() + ", " + family["family"].get<std::string>();
+      check(family["results"].size() == 5, where + ": by five");
+      for (const Json& result : family["results"]) check_result(where + ", " + result["by"].get<std::string>(), result);
+    }
+  }
+  check(hard > 30, "families of hard inputs");
+}
+
 // ---- The rest -------------------------------------------------------------------------------------------------------
 
 void check_growth(const Json& growth) {
@@ -135,6 +164,7 @@ void check_report(const Json& report, const std::filesystem::path& folder) {
     check_scene(scene, report["header"]["simd"]);
     if (scene["hard"]) check_hard_scene(scene);
   }
+  check_kernels(report["kernels"]);
   check_growth(report["growth"]);
   check_edges(report["edges"]);
   check(report["noise"]["sentence"].is_string(), "a word on noise");

@@ -8,6 +8,7 @@
 #include "reference/oracle/oracle.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -23,8 +24,20 @@ constexpr AntiAliasing converged = AntiAliasing::grid1024;
 
 /// What is large enough to time, small enough for the oracle, and shows edges.
 ImageSize timed_size(const Plan& plan) { return plan.quick ? ImageSize{120, 90} : ImageSize{240, 180}; }
-ImageSize error_size(const Plan& plan) { return plan.quick ? ImageSize{32, 24} : ImageSize{96, 72}; }
 ImageSize sampling_size(const Plan& plan) { return plan.quick ? ImageSize{80, 60} : ImageSize{160, 120}; }
+
+/// The oracle asks every geometry: the more there are, the smaller the image, down to 8 x 6 pixels.
+ImageSize error_size(const Plan& plan, const Scene& scene) {
+  const int most = plan.quick ? 8 : 24;
+  const double tests = plan.quick ? 4e5 : 2e6;
+  const double tests_of_smallest = 48 * static_cast<double>(std::max<std::size_t>(1, geometry_count(scene)));
+  const int times = std::clamp(static_cast<int>(std::sqrt(tests / tests_of_smallest)), 2, most);
+  return {4 * times, 3 * times};
+}
+
+/// Beyond so many, only the engine by its own formulas is measured: whoever asks every geometry would take minutes for an
+/// image, and each engine holds the scene once more.
+constexpr std::size_t most_geometries_for_all = 2000;
 
 Settings settings_of(const Scene& scene, ImageSize size, AntiAliasing aa) {
   return {last_stage, size, scene.max_bounces, aa};
@@ -50,9 +63,11 @@ double samples_a_pixel(const Drawn& drawn) {
   return static_cast<double>(drawn.totals.rays.primary) / static_cast<double>(drawn.image.pixels.size());
 }
 
-/// Those that can draw the scene: in float the engine refuses what is beyond a float's range.
+/// Those that can draw the scene, in float the engine refuses what is beyond a float's range, and soon enough.
 std::vector<ImageVariant> fit_for(const BenchScene& scene, ImageSize size, std::vector<ImageVariant> variants) {
+  const bool many = geometry_count(scene.world) > most_geometries_for_all;
   std::erase_if(variants, [&](const ImageVariant& variant) {
+    if (many && (variant.renderer != "fast" || variant.formulas != Formulas{})) return true;
     try {
       variant.make(scene.world, settings_of(scene.world, size, variant.aa));
       return false;
@@ -103,7 +118,7 @@ Json time_patterns(const Plan& plan, const BenchScene& scene, const std::atomic<
 /// formulas.
 Json arithmetic_errors(const Plan& plan, const BenchScene& scene, AntiAliasing aa, const StageTable& stages,
                        const std::atomic<bool>& cancel) {
-  const ImageSize size = error_size(plan);
+  const ImageSize size = error_size(plan, scene.world);
   const Settings settings = settings_of(scene.world, size, aa);
   const Drawn right = draw(*make_oracle(scene.world, settings), size, plan.threads, cancel);
   const double pixels = static_cast<double>(right.image.pixels.size());
@@ -151,7 +166,7 @@ std::vector<Accepted> accepted_variants() {
 }
 
 Json model_errors(const Plan& plan, const BenchScene& scene, const std::atomic<bool>& cancel) {
-  const ImageSize size = error_size(plan);
+  const ImageSize size = error_size(plan, scene.world);
   const Settings settings = settings_of(scene.world, size, AntiAliasing::none);
   const HandoutBuild build = handout_builds().front();
   const Image right = draw(*make_oracle(scene.world, settings), size, plan.threads, cancel).image;
@@ -230,10 +245,16 @@ Json sampling_of(const Plan& plan, const BenchScene& scene, const Results& resul
   return all;
 }
 
+Json json_of(ImageSize size) { return Json::array({size.width, size.height}); }
+
 Json scene_report(const Plan& plan, const BenchScene& scene, const Results& results,
                   const std::vector<ImageVariant>& known) {
   const Json* const model = find(results, unit_name(scene, "model"));
-  Json report = {{"scene", scene.name}, {"hard", scene.hard}, {"same_bits", true}, {"oracle_mpixels_per_second", nullptr}};
+  Json report = {{"scene", scene.name},
+                 {"hard", scene.hard},
+                 {"error_size", json_of(error_size(plan, scene.world))},
+                 {"same_bits", true},
+                 {"oracle_mpixels_per_second", nullptr}};
   for (const AntiAliasing aa : timed_patterns)
     if (const Json* const errors = find(results, unit_name(scene, "arithmetic " + std::string(aa_name(aa))))) {
       if (!(*errors)["same_bits"]) report["same_bits"] = false;
@@ -244,8 +265,6 @@ Json scene_report(const Plan& plan, const BenchScene& scene, const Results& resu
   report["model"] = model == nullptr ? Json::array() : *model;
   return report;
 }
-
-Json json_of(ImageSize size) { return Json::array({size.width, size.height}); }
 
 }  // namespace
 
@@ -274,7 +293,6 @@ std::vector<Unit> image_units(const Plan& plan, const std::vector<BenchScene>& s
 Json image_report(const Plan& plan, const std::vector<BenchScene>& scenes, const Results& results) {
   const std::vector<ImageVariant> known = image_variants({}, timed_patterns);
   Json report = {{"timed_size", json_of(timed_size(plan))},
-                 {"error_size", json_of(error_size(plan))},
                  {"sampling_size", json_of(sampling_size(plan))},
                  {"converged_samples", sample_offsets(converged).size()},
                  {"scenes", Json::array()}};

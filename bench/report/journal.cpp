@@ -32,6 +32,18 @@ std::vector<std::string> whole_lines(const std::filesystem::path& path) {
   return lines;
 }
 
+/// The names of the fields in which two objects differ, also those of objects in them.
+std::string differences(const Json& before, const Json& now) {
+  std::string names;
+  for (const auto& [name, value] : now.items()) {
+    const Json was = before.value(name, Json());
+    if (was == value) continue;
+    const bool deeper = was.is_object() && value.is_object();
+    names += (names.empty() ? "" : ", ") + (deeper ? differences(was, value) : name);
+  }
+  return names;
+}
+
 }  // namespace
 
 Journal::Journal(std::filesystem::path path, const Json& identity) : path_(std::move(path)), date_(now()) {
@@ -47,10 +59,9 @@ bool Journal::read(const Json& identity) {
   try {
     const Json header = Json::parse(lines.front());
     if (header.at("identity") != identity)
-      throw std::runtime_error(
-          path_.string() +
-          ": holds the interrupted run of another raylab, of other scenes or another machine: repeat that "
-          "run to finish it, or delete the file");
+      throw std::runtime_error(path_.string() + ": holds an interrupted run that differs from this one in: " +
+                               differences(header.at("identity"), identity) +
+                               ". Repeat that run to finish it, delete the file, or choose another folder");
     date_ = header.at("date");
     for (std::size_t k = 1; k < lines.size(); ++k) {
       const Json line = Json::parse(lines[k]);
