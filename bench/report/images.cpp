@@ -23,7 +23,11 @@ const std::vector<AntiAliasing> sampled_patterns{AntiAliasing::none,   AntiAlias
 constexpr AntiAliasing converged = AntiAliasing::grid1024;
 
 /// What is large enough to time, small enough for the oracle, and shows edges.
-ImageSize timed_size(const Plan& plan) { return plan.quick ? ImageSize{120, 90} : ImageSize{240, 180}; }
+ImageSize timed_size(const Plan& plan, const Scene& scene) {
+  const bool slow = geometry_count(scene) > 100;  // to those that ask every geometry
+  if (plan.quick) return slow ? ImageSize{80, 60} : ImageSize{120, 90};
+  return slow ? ImageSize{160, 120} : ImageSize{240, 180};
+}
 ImageSize sampling_size(const Plan& plan) { return plan.quick ? ImageSize{80, 60} : ImageSize{160, 120}; }
 
 /// The oracle asks every geometry: the more there are, the smaller the image, down to 8 x 6 pixels.
@@ -99,7 +103,7 @@ Json time_engines(const std::vector<Named>& engines, ImageSize size, const Plan&
 
 Json time_variants(const Plan& plan, const BenchScene& scene, AntiAliasing aa, const StageTable& stages,
                    const std::atomic<bool>& cancel) {
-  const ImageSize size = timed_size(plan);
+  const ImageSize size = timed_size(plan, scene.world);
   std::vector<Named> engines;
   for (const ImageVariant& variant : fit_for(scene, size, image_variants(stages, {aa})))
     engines.emplace_back(variant.id(), variant.make(scene.world, settings_of(scene.world, size, aa)));
@@ -226,7 +230,7 @@ Json variants_of(const Plan& plan, const BenchScene& scene, const Results& resul
                          {"power", variant.formulas.power == PowerFormula::log1p ? "log1p" : "cosine"},
                          {"aa", aa_name(aa)},
                          {"samples", (*errors)["variants"][variant.id()]["samples"]},
-                         {"mpixels_per_second", speed_of((*times)[variant.id()], timed_size(plan))},
+                         {"mpixels_per_second", speed_of((*times)[variant.id()], timed_size(plan, scene.world))},
                          {"arithmetic", (*errors)["variants"][variant.id()]["arithmetic"]}});
     }
     mark_front(with_aa, median_speed, [](const Json& one) -> double { return one["arithmetic"]["rmse_judged"]; });
@@ -252,6 +256,7 @@ Json scene_report(const Plan& plan, const BenchScene& scene, const Results& resu
   const Json* const model = find(results, unit_name(scene, "model"));
   Json report = {{"scene", scene.name},
                  {"hard", scene.hard},
+                 {"timed_size", json_of(timed_size(plan, scene.world))},
                  {"error_size", json_of(error_size(plan, scene.world))},
                  {"same_bits", true},
                  {"oracle_mpixels_per_second", nullptr}};
@@ -292,8 +297,7 @@ std::vector<Unit> image_units(const Plan& plan, const std::vector<BenchScene>& s
 
 Json image_report(const Plan& plan, const std::vector<BenchScene>& scenes, const Results& results) {
   const std::vector<ImageVariant> known = image_variants({}, timed_patterns);
-  Json report = {{"timed_size", json_of(timed_size(plan))},
-                 {"sampling_size", json_of(sampling_size(plan))},
+  Json report = {{"sampling_size", json_of(sampling_size(plan))},
                  {"converged_samples", sample_offsets(converged).size()},
                  {"scenes", Json::array()}};
   for (const BenchScene& scene : scenes) report["scenes"].push_back(scene_report(plan, scene, results, known));

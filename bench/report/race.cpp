@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace raylab::bench {
 namespace {
@@ -17,6 +18,10 @@ double seconds_of(const std::function<void()>& run, long times, Clock clock) {
   for (long i = 0; i < times; ++i) run();
   return clock() - start;
 }
+
+// A contender that has taken so long over so many rounds leaves the rest of them to the others.
+constexpr int few_rounds = 3;
+constexpr double long_seconds = 1;
 
 /// How many runs last `least_seconds`: found by doubling, so that caches are warm when the first round begins.
 long repeats(const std::function<void()>& run, double least_seconds, Clock clock) {
@@ -63,6 +68,9 @@ std::vector<std::vector<double>> race(std::span<const std::function<void()>> con
   for (int round = 0; round < rounds; ++round)
     for (std::size_t turn = 0; turn < contenders.size(); ++turn) {
       const std::size_t k = (turn + static_cast<std::size_t>(round)) % contenders.size();
+      if (round >= few_rounds &&
+          std::reduce(seconds[k].begin(), seconds[k].end()) * static_cast<double>(times[k]) > long_seconds)
+        continue;
       seconds[k].push_back(run(k, times[k]) / static_cast<double>(times[k]));
     }
   return seconds;

@@ -102,9 +102,10 @@ function headerPart() {
 function commandPart() {
   const images = report.images ?? {};
   const size = (pair) => (list(pair).length === 2 ? `${pair[0]} × ${pair[1]} pixels` : null);
-  const judged = new Set(list(images.scenes).map((scene) => size(scene?.error_size)).filter(Boolean));
+  const sizes = (name) => new Set(list(images.scenes).map((scene) => size(scene?.[name])).filter(Boolean));
+  const timed = sizes('timed_size'), judged = sizes('error_size');
   const text = [
-    size(images.timed_size) && `Images are timed at ${size(images.timed_size)}`,
+    timed.size && `Images are timed at ${[...timed].join(' or ')}`,
     judged.size && `arithmetic is judged at ${[...judged].join(' or ')}`,
     size(images.sampling_size) && `sampling at ${size(images.sampling_size)}`
   ].filter(Boolean).join(', ');
