@@ -93,6 +93,14 @@ TEST_CASE("bench: a contender too fast for the clock runs many times", "[bench]"
   CHECK(seconds[0] == std::vector<double>{0.25, 0.25});
 }
 
+TEST_CASE("bench: whoever takes long takes part in three rounds only", "[bench]") {
+  static double now = 0;
+  const std::vector<std::function<void()>> contenders{[] { now += 0.4; }, [] { now += 0.01; }};
+  const auto seconds = race(contenders, 9, 0, never, [] { return now; });
+  CHECK(seconds[0].size() == 3);
+  CHECK(seconds[1].size() == 9);
+}
+
 TEST_CASE("bench: a race ends when it is to stop", "[bench]") {
   std::atomic<bool> stop = false;
   int runs = 0;
