@@ -289,12 +289,23 @@ TEST_CASE("bench: the fastest that keeps the bound is picked", "[bench]") {
   add("avx512 fast f32 textbook-sphere none", "f32", 60, 1e-6, "textbook");  // nobody can ask for it
   const Json choices = choices_from(report["images"]);
   CHECK(choices[0]["pick"] == "--engine fast --precision f32");
-  CHECK(choices[0]["sentence"].get<std::string>().ends_with("1.6 to 1.6 times as fast as --engine fast --precision f64."));
+  CHECK(choices[0]["sentence"].get<std::string>().ends_with("1.6 times as fast as --engine fast --precision f64."));
   CHECK(choices[1]["pick"] == "--engine fast --precision f64");
   CHECK(choices[1]["sentence"].get<std::string>().find("avx512") != std::string::npos);
 
   variants[0]["arithmetic"]["flipped"] = 11;  // of 10000
   CHECK(choices_from(report["images"])[0]["pick"] == "--engine fast --precision f64");
-  for (Json& one : variants) one["arithmetic"]["non_finite"] = 1;
+  Json other = report["images"]["scenes"][0];
+  other["scene"] = "scene2";
+  other["variants"].erase(1);
+  report["images"]["scenes"].push_back(other);
+  CHECK(choices_from(report["images"])[1]["sentence"].get<std::string>().find("avx512") != std::string::npos);
+  other["variants"].erase(1);
+  report["images"]["scenes"][1] = other;  // no f64 there
+  CHECK(choices_from(report["images"])[1]["pick"].is_null());
+  report["images"]["scenes"].erase(1);
+  report["images"]["scenes"][0]["hard"] = true;  // all that there is
+  CHECK(choices_from(report["images"])[1]["pick"] == "--engine fast --precision f64");
+  for (Json& one : report["images"]["scenes"][0]["variants"]) one["arithmetic"]["non_finite"] = 1;
   CHECK(choices_from(report["images"])[0]["pick"].is_null());
 }

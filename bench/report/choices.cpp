@@ -3,6 +3,7 @@
 #include "bench/report/image_errors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -52,19 +53,33 @@ bool on_offer(const Json& entry) {
   return entry["aa"] == "none" && !textbook;
 }
 
+/// By which scenes a pick is made: the ordinary ones; all, where all are hard.
+std::vector<const Json*> judging_scenes(const Json& images) {
+  std::vector<const Json*> all, ordinary;
+  for (const Json& scene : images["scenes"]) {
+    all.push_back(&scene);
+    if (!scene["hard"]) ordinary.push_back(&scene);
+  }
+  return ordinary.empty() ? all : ordinary;
+}
+
+/// Those that were measured on all scenes that judge, the fastest first.
 std::vector<Candidate> candidates_of(const Json& images) {
+  const std::vector<const Json*> judging = judging_scenes(images);
   std::map<std::string, Candidate> by_id;
-  for (const Json& scene : images["scenes"])
+  for (const Json& scene : images["scenes"]) {
+    const bool judges = std::find(judging.begin(), judging.end(), &scene) != judging.end();
     for (const Json& entry : scene["variants"]) {
       if (!on_offer(entry)) continue;
       Candidate& candidate = by_id[entry["id"]];
       candidate.id = entry["id"];
       candidate.any = entry;
-      (scene["hard"] ? candidate.hard : candidate.ordinary)[scene["scene"]] = entry;
+      (judges ? candidate.ordinary : candidate.hard)[scene["scene"]] = entry;
     }
+  }
   std::vector<Candidate> candidates;
   for (auto& [id, candidate] : by_id)
-    if (!candidate.ordinary.empty()) candidates.push_back(std::move(candidate));
+    if (candidate.ordinary.size() == judging.size()) candidates.push_back(std::move(candidate));
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& a, const Candidate& b) { return slowest(a) > slowest(b); });
   return candidates;
@@ -75,6 +90,12 @@ std::string print(const char* format, Numbers... numbers) {
   char text[400];
   std::snprintf(text, sizeof text, format, numbers...);
   return text;
+}
+
+/// "1.4 to 1.9", or "1.4" where that is the same.
+std::string range(double least, double most) {
+  const std::string low = print("%.3g", least), high = print("%.3g", most);
+  return low == high ? low : low + " to " + high;
 }
 
 std::string options_of(const Json& entry) {
@@ -99,8 +120,8 @@ std::string hard_sentence(const Candidate& candidate, double bound) {
 
 std::string pick_sentence(const Candidate& candidate) {
   const double error = worst_error(candidate.ordinary);
-  std::string text = print("%.3g to %.3g million pixels a second on one core, off by at most %.2g of white",
-                           slowest(candidate), fastest(candidate), error);
+  std::string text = range(slowest(candidate), fastest(candidate)) +
+                     " million pixels a second on one core, off by at most " + print("%.2g of white", error);
   if (error > 1e-5) text += print(" (%.2g of the 255 steps)", 255 * error);
   if (!candidate.any["simd"].is_null()) text += ", with " + candidate.any["simd"].get<std::string>();
   return text + ".";
@@ -116,7 +137,7 @@ std::string times_as_fast(const Candidate& one, const Candidate& other) {
     least = least == 0 ? ratio : std::min(least, ratio);
     most = std::max(most, ratio);
   }
-  return print("%.2g to %.2g times as fast as ", least, most) + options_of(other.any) + ".";
+  return range(least, most) + " times as fast as " + options_of(other.any) + ".";
 }
 
 /// The fastest that keeps the bound on every ordinary scene; the end if there is none.
@@ -154,7 +175,7 @@ Json oracle_choice(const Json& images) {
   return {{"need", "the truth, to tell who is wrong"},
           {"bound", "each component is the double nearest to the model's"},
           {"pick", "--engine oracle"},
-          {"sentence", print("%.2g to %.2g million pixels a second on one core.", least, most)},
+          {"sentence", range(least, most) + " million pixels a second on one core."},
           {"hard_sentence", "It is what all others were compared with, on the hard scenes too."}};
 }
 
@@ -162,8 +183,9 @@ Json oracle_choice(const Json& images) {
 /// of these.
 Json sampling_choice(const Json& images) {
   std::map<std::string, double> worst_gain, least_speed, most_samples;
-  for (const Json& scene : images["scenes"]) {
-    if (scene["hard"] || scene["sampling"].empty()) continue;
+  for (const Json* const judging : judging_scenes(images)) {
+    const Json& scene = *judging;
+    if (scene["sampling"].empty() || scene["sampling"][0]["error"]["rmse"] == 0.0) continue;  // nothing to smooth
     const double alone = scene["sampling"][0]["error"]["rmse"];
     for (const Json& pattern : scene["sampling"]) {
       const std::string aa = pattern["aa"];
@@ -186,7 +208,8 @@ Json sampling_choice(const Json& images) {
     if (gain < 2 || least_speed[aa] < 0.9 * fastest_good || gain <= best) continue;
     best = gain;
     choice["pick"] = "--aa " + aa;
-    choice["sentence"] = print("%.2g times less error or better, for up to %.3g samples a pixel.", gain, most_samples[aa]);
+    choice["sentence"] = (std::isinf(gain) ? "No error is left" : print("%.2g times less error or better", gain)) +
+                         print(", for up to %.3g samples a pixel.", most_samples[aa]);
   }
   return choice;
 }
