@@ -23,13 +23,23 @@ using ListenerBase = Catch::EventListenerBase;
 using ListenerBase = Catch::TestEventListenerBase;
 #endif
 
-/// Hears the end of a run, whose totals Catch2 otherwise only prints.
+/// Hears how the tests end, which Catch2 otherwise only prints.
 struct TotalsListener : ListenerBase {
   using ListenerBase::ListenerBase;
+  void testCaseStarting(const Catch::TestCaseInfo& test) override {
+    ListenerBase::testCaseStarting(test);
+    running = test.name;
+  }
+  void testCaseEnded(const Catch::TestCaseStats& test) override {
+    if (test.totals.testCases.failed > 0) totals.failures.push_back(running);
+    ListenerBase::testCaseEnded(test);
+  }
   void testRunEnded(const Catch::TestRunStats& run) override {
     totals.passed = static_cast<std::size_t>(run.totals.testCases.passed);
     totals.failed = static_cast<std::size_t>(run.totals.testCases.failed);
   }
+
+  std::string running;
 };
 CATCH_REGISTER_LISTENER(TotalsListener)
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace raylab::test {
 
@@ -12,6 +13,7 @@ namespace raylab::test {
 struct Totals {
   std::size_t passed = 0;
   std::size_t failed = 0;
+  std::vector<std::string> failures = {};  ///< the names of those that failed, in their order
 };
 
 /// Runs the tests that a Catch2 selection like "[stage5]" or "[5.1]" names, all for an empty one, on `table`. The report

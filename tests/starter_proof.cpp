@@ -3,6 +3,7 @@
 
 #include "core/render/stage_table.hpp"
 #include "tests/runner.hpp"
+#include "tests/selection.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <iostream>
@@ -15,11 +16,9 @@ using namespace raylab;
 
 namespace {
 
-std::string tag(std::string_view label) { return "[" + std::string(label) + "]"; }
-
 /// Every test of the task must fail, and say which task is missing, and where.
 bool fails_its_own(const TaskInfo& task, const StageTable& table, const std::filesystem::path& report) {
-  const test::Totals totals = test::run_tests(tag(task.label), table, report);
+  const test::Totals totals = test::run_tests(test::tests_of(task.label), table, report);
   const std::string folder(stage_info(stage_of(task.label)).folder);
   const std::string message = "task " + std::string(task.label) + " is not written yet: stages/" + folder + "/starter.cpp:";
   return totals.passed == 0 && totals.failed > 0 && test::bytes_of(report).find(message) != std::string::npos;
@@ -42,11 +41,7 @@ int main() {
     StageTable table = solution;
     mix(table, starter, task.label);
     check(fails_its_own(task, table, folder / "report"), "the starter of " + label + " fails all tests of " + label);
-    std::string earlier;
-    for (const TaskInfo& other : task_list()) {
-      if (other.label == task.label) break;
-      earlier += (earlier.empty() ? "" : ",") + tag(other.label);
-    }
+    const std::string earlier = test::tests_before(task.label);
     if (earlier.empty()) continue;
     const test::Totals before = test::run_tests(earlier, table, folder / "report");
     check(before.failed == 0 && before.passed > 0, "the starter of " + label + " fails no earlier task's test");

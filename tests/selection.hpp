@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/render/stage_table.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace raylab::test {
+
+/// The selection of a task's tests, for run_tests(): "[5.1]".
+inline std::string tests_of(std::string_view task) { return "[" + std::string(task) + "]"; }
+
+/// The selection of the tests of all tasks before this one; empty for the first.
+inline std::string tests_before(std::string_view task) {
+  std::string earlier;
+  for (const TaskInfo& other : task_list()) {
+    if (other.label == task) break;
+    earlier += (earlier.empty() ? "" : ",") + tests_of(other.label);
+  }
+  return earlier;
+}
+
+}  // namespace raylab::test
