@@ -47,13 +47,14 @@ inline Vec3 right_reflect(const Vec3& d, const Vec3& n) { return d - 2 * dot(d, 
 
 inline double right_schlick(double cosine, double n) {
   const double R0 = (1 - n) * (1 - n) / ((1 + n) * (1 + n));
-  return R0 + (1 - R0) * std::pow(1 - cosine, 5);
+  return R0 + (1 - R0) * std::pow(1 - std::clamp(cosine, 0.0, 1.0), 5);
 }
 
-/// Where a ray goes on at a surface, by Snell's law; nothing at total reflection.
+/// Where a ray goes on at a surface, by Snell's law; nothing at total reflection. Right to rounding: a mistake must fail the
+/// tests for what is wrong.
 inline std::optional<Vec3> refracted(const Vec3& d, const Vec3& n, double ratio) {
   const double cosine = -dot(d, n);
-  const double squared = 1 - ratio * ratio * (1 - cosine * cosine);
+  const double squared = (1 - ratio) * (1 + ratio) + ratio * ratio * cosine * cosine;
   if (squared < 0) return {};
   return ratio * (d + cosine * n) - std::sqrt(squared) * n;
 }
