@@ -37,6 +37,12 @@ TEST_CASE("2.1 plane_hit: behind is a miss, parallel and inside are misses", "[s
   CHECK(table().plane_hit(ray_from({0, 0, 0}, {1, 0, 0}), floor) == miss);
 }
 
+TEST_CASE("2.1 plane_hit: a parallel ray misses on either side, whichever way the normal points", "[stage2][2.1]") {
+  for (const double side : {-1.0, 1.0})
+    for (const double size : {-1.0, 1.0})
+      CHECK(table().plane_hit(ray_from({0, side, 0}, {1, 0, 0}), {{0, 0, 0}, {0, size, 0}}) == miss);
+}
+
 TEST_CASE("2.1 plane_hit: a ray that starts on the plane hits it at 0", "[stage2][2.1]") {
   CHECK(table().plane_hit(ray_from({4, 0, 1}, {1, -1, 0}), {{0, 0, 0}, {0, 1, 0}}) == within(0, 0.0));
 }

@@ -114,6 +114,12 @@ TEST_CASE("3.3 point_light: has the highlight of its material's shininess", "[st
         within(1e-15, (1 + printed_weight(300)) * copper));
 }
 
+TEST_CASE("3.3 point_light: the highlight stands where the viewer sees the light mirrored", "[stage3][3.3]") {
+  // Light and viewer lean by the same angle to either side of the normal, so that H = N.
+  CHECK(table().point_light({{0.6, 0.8, 0}, 4}, {0, 0, 0}, up, {-0.6, 0.8, 0}, opaque(copper, 300)) ==
+        within(1e-12, (0.8 + printed_weight(300)) * copper));
+}
+
 TEST_CASE("3.4 directional_light: travels along its direction, of any length, and does not weaken", "[stage3][3.4]") {
   for (const double size : {1e-150, 1.0, 25.0, 1e200}) {
     CHECK(table().directional_light({{0, -size, 0}, 0.5}, up, up, opaque(copper, 0)) == within(1e-15, 0.5 * copper));
@@ -126,6 +132,11 @@ TEST_CASE("3.4 directional_light: travels along its direction, of any length, an
 TEST_CASE("3.4 directional_light: has the highlight of its material's shininess", "[stage3][3.4]") {
   CHECK(table().directional_light({{0, -2, 0}, 0.5}, up, up, opaque(copper, 300)) ==
         within(1e-15, 0.5 * (1 + printed_weight(300)) * copper));
+}
+
+TEST_CASE("3.4 directional_light: the highlight stands where the viewer sees the light mirrored", "[stage3][3.4]") {
+  CHECK(table().directional_light({{-3, -4, 0}, 0.5}, up, {-0.6, 0.8, 0}, opaque(copper, 300)) ==
+        within(1e-12, 0.5 * (0.8 + printed_weight(300)) * copper));
 }
 
 TEST_CASE("3.5 ambient_light: is intensity times color, whatever the shininess", "[stage3][3.5]") {
