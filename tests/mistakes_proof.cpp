@@ -1,0 +1,134 @@
+// Proves of each known mistake that unit tests of its own task fail and none of an earlier task, and that an image of a
+// checked-in scene shows it; or, where the mistake is marked so, that no image does, or that nothing does. Exit code 1 if a
+// statement does not hold.
+//   raylab-mistakes              prints the page docs/mistakes.md: of each mistake, the scene that shows it best
+//   raylab-mistakes PAGE         asks the scenes that PAGE names, and fails if PAGE is stale
+
+#include "tests/mistakes/page.hpp"
+#include "tests/selection.hpp"
+#include "tests/temporary_folder.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+extern "C" const raylab::ExportedTasks* raylab_tasks_solution();
+
+using namespace raylab;
+using namespace raylab::test;
+
+namespace {
+
+constexpr std::size_t least_mistakes = 60;
+
+/// Counts the statements that hold, and tells of those that do not.
+class Statements {
+ public:
+  void check(bool holds, const std::string& what) {
+    ++(holds ? passed_ : failed_);
+    if (!holds) std::cerr << "FAILED: " << what << '\n';
+  }
+  int report() const {
+    std::cerr << passed_ << " passed, " << failed_ << " failed\n";
+    return failed_ == 0 ? 0 : 1;
+  }
+
+ private:
+  std::size_t passed_ = 0, failed_ = 0;
+};
+
+/// Which test fails first, for a message.
+std::string first_failure(const Totals& totals) { return totals.failures.empty() ? "none" : totals.failures.front(); }
+
+/// The tests of the mistake's own task, after those of the earlier tasks, which must not fail.
+Totals check_unit_tests(const Mistake& mistake, const StageTable& wrong, Statements& statements) {
+  const TemporaryFolder folder;
+  if (const std::string earlier = tests_before(mistake.task); !earlier.empty()) {
+    const Totals before = run_tests(earlier, wrong, folder / "report");
+    statements.check(before.failed == 0 && before.passed > 0,
+                     full_name(mistake) + ": fails a test of an earlier task: " + first_failure(before));
+  }
+  const Totals own = run_tests(tests_of(mistake.task), wrong, folder / "report");
+  if (mistake.shows == Shows::nowhere)
+    statements.check(own.failed == 0 && own.passed > 0,
+                     full_name(mistake) + ": equivalent, and fails " + first_failure(own));
+  else
+    statements.check(own.failed > 0, full_name(mistake) + ": fails no test of its own task");
+  return own;
+}
+
+/// On all scenes of the mistake's own stage and of the last one, where everything has joined.
+void check_hidden(const Mistake& mistake, const StageTable& right, const Subjects& subjects, Statements& statements) {
+  for (const int stage : std::set{stage_of(mistake.task), subjects.rbegin()->first})
+    for (const Subject& subject : subjects.at(stage)) {
+      const Evidence image = evidence(mistake, right, subject);
+      statements.check(std::max(image.scores.floats, image.scores.bytes) <= 1,
+                       full_name(mistake) + ": should not show, and does in " + image.scene);
+    }
+}
+
+Evidence evidence_in(const std::string& scene, const Mistake& mistake, const StageTable& right, const Subjects& subjects) {
+  for (const auto& [stage, list] : subjects)
+    for (const Subject& subject : list)
+      if (title(subject) == scene) return evidence(mistake, right, subject);
+  return {};
+}
+
+/// The image that shows the mistake, which is of the scene that the page names, if there is a page.
+Evidence check_image(const Mistake& mistake, const StageTable& right, const Subjects& subjects, const std::string& page,
+                     Statements& statements) {
+  if (mistake.shows == Shows::in_unit_tests || mistake.shows == Shows::nowhere) {
+    if (page.empty()) check_hidden(mistake, right, subjects, statements);
+    return {};
+  }
+  const Evidence image = page.empty() ? best_evidence(mistake, right, subjects)
+                                      : evidence_in(scenes_in(page)[full_name(mistake)], mistake, right, subjects);
+  statements.check(counted(mistake, image.scores) >= least_of_wrong,
+                   full_name(mistake) + ": shows in no image enough; best is " + image.scene);
+  return image;
+}
+
+void check_all_tasks_have_one(std::span<const Mistake> mistakes, Statements& statements) {
+  std::set<std::string> names;
+  std::map<std::string_view, std::size_t> counts;
+  std::size_t real = 0;
+  for (const Mistake& mistake : mistakes) {
+    statements.check(names.insert(full_name(mistake)).second, full_name(mistake) + ": is there twice");
+    statements.check((mistake.shows == Shows::in_images) == mistake.why.empty(), full_name(mistake) + ": needs its reason");
+    if (mistake.shows == Shows::nowhere) continue;
+    ++real;
+    ++counts[mistake.task];
+  }
+  for (const TaskInfo& task : task_list())
+    statements.check(counts[task.label] > 0, "task " + std::string(task.label) + " has no known mistake");
+  statements.check(real >= least_mistakes, "there are only " + std::to_string(real) + " known mistakes");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string page = argc > 1 ? bytes_of(argv[1]) : "";
+  if (argc > 1 && page.empty()) {
+    std::cerr << argv[1] << ": cannot be read\n";
+    return 2;
+  }
+  const StageTable right = import_tasks(*raylab_tasks_solution());
+  const Subjects subjects = subjects_by_stage();
+  Statements statements;
+  check_all_tasks_have_one(known_mistakes(), statements);
+
+  std::vector<FoundMistake> found;
+  for (const Mistake& mistake : known_mistakes())
+    found.push_back({mistake, check_unit_tests(mistake, with(mistake, right), statements),
+                     check_image(mistake, right, subjects, page, statements)});
+
+  const std::string text = mistakes_page(found);
+  if (page.empty())
+    std::cout << text;
+  else
+    statements.check(without_scores(page) == without_scores(text), std::string(argv[1]) + " is stale; make it anew");
+  return statements.report();
+}
