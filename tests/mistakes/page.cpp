@@ -99,10 +99,13 @@ std::string mistakes_page(std::span<const FoundMistake> found) {
        << found.size() - count(found, Shows::nowhere) - in_tests_only << " that show in images and " << in_tests_only
        << " that only unit tests can find.\n";
   for (const StageInfo& stage : stage_list()) {
-    page << "\n## Stage " << stage.number << ", " << stage.name
-         << "\n\n| task | mistake | tests that fail | scene | score |\n|---|---|---|---|---|\n";
+    std::string rows;
     for (const FoundMistake& f : found)
-      if (in_an_image(f.mistake) && stage_of(f.mistake.task) == stage.number) page << row_with_image(f);
+      if (in_an_image(f.mistake) && stage_of(f.mistake.task) == stage.number) rows += row_with_image(f);
+    if (rows.empty()) continue;
+    page << "\n## Stage " << stage.number << ", " << stage.name
+         << "\n\n| task | mistake | tests that fail | scene | score |\n|---|---|---|---|---|\n"
+         << rows;
   }
   page << "\nIn floats, but not in 8 bits:\n\n";
   for (const FoundMistake& f : found)
