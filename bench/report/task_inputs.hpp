@@ -2,7 +2,6 @@
 
 #include "bench/report/task_errors.hpp"
 #include "core/render/stage_table.hpp"
-#include "stages/stages.hpp"
 
 #include <cstddef>
 #include <string>
