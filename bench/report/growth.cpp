@@ -115,8 +115,8 @@ std::vector<Series> all_series(const Plan& plan) {
       {"spheres",
        "Spheres",
        "spheres",
-       "The more spheres, the smaller: they always cover about as much of the picture. From 24 on the engine has a "
-       "hierarchy; the stages' functions ask every sphere.",
+       "The more spheres, the smaller: they always fill as much of their cube. From 24 on the engine has a hierarchy; the "
+       "stages' functions ask every sphere.",
        true,
        true,
        {10, 100, 1000, 10'000, 100'000, 1'000'000},
