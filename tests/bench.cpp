@@ -271,6 +271,28 @@ TEST_CASE("bench: reports of other runs are told apart", "[bench]") {
   CHECK_THROWS_WITH(compare_reports(small_report(), {{"format", "else"}}), ContainsSubstring("not a report"));
 }
 
+TEST_CASE("bench: times of a busy machine are not compared", "[bench]") {
+  Json after = small_report();
+  only_variant(after)["mpixels_per_second"] = {{"median", 4.0}, {"low", 3.9}, {"high", 4.1}, {"noisy", false}};
+  after["noise"] = {{"noisy", 10}, {"times", 100}};
+  CHECK(compare_reports(small_report(), after).changed_times.size() == 1);
+  after["noise"]["noisy"] = 11;
+  const ReportChanges changes = compare_reports(small_report(), after);
+  CHECK(changes.too_noisy);
+  CHECK(changes.changed_times.empty());
+  CHECK(changes.timing_ratio == 10);
+}
+
+TEST_CASE("bench: scenes that have changed are named", "[bench]") {
+  Json before = small_report(), after = small_report();
+  before["header"]["scenes"] = after["header"]["scenes"] = Json::array({{{"scene", "scene1"}, {"sha1", "a"}}});
+  CHECK(compare_reports(before, after).runs_differ.empty());
+  after["header"]["scenes"][0]["sha1"] = "b";
+  after["images"]["scenes"][0]["error_size"] = {32, 24};
+  CHECK(compare_reports(before, after).runs_differ ==
+        std::vector<std::string>{"the sha1 of scene1", "the error_size of scene1"});
+}
+
 TEST_CASE("bench: the fastest that keeps the bound is picked", "[bench]") {
   Json report = small_report();
   Json& variants = report["images"]["scenes"][0]["variants"];

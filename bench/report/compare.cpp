@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace raylab::bench {
 namespace {
@@ -58,6 +59,25 @@ std::vector<std::string> differences_of_runs(const Json& before, const Json& aft
   return sentences;
 }
 
+/// Was more than a tenth of the times noisy?
+bool is_noisy(const Json& report) {
+  const Json noise = report.value("noise", Json::object());
+  return 10 * noise.value("noisy", 0.0) > noise.value("times", 0.0);
+}
+
+/// The scenes that both reports have, but not the same: another file, or in images of another size.
+std::vector<std::string> differences_of_scenes(const Json& before, const Json& after) {
+  std::vector<std::string> words;
+  for (const Json& was : before)
+    for (const Json& is : after) {
+      if (was["scene"] != is["scene"]) continue;
+      for (const char* const field : {"sha1", "timed_size", "error_size"})
+        if (was.value(field, Json()) != is.value(field, Json()))
+          words.push_back("the " + std::string(field) + " of " + is["scene"].get<std::string>());
+    }
+  return words;
+}
+
 std::vector<std::string> subjects_of(const std::set<std::string>& keys) {
   std::set<std::string> subjects;
   for (const std::string& key : keys) {
@@ -76,6 +96,13 @@ ReportChanges compare_reports(const Json& before, const Json& after) {
   ReportChanges found;
   found.runs_differ = differences_of_runs(before.value("header", Json::object()), after.value("header", Json::object()));
 
+  for (const auto& [a, b] : {std::pair(before.value("/header/scenes"_json_pointer, Json::array()),
+                                       after.value("/header/scenes"_json_pointer, Json::array())),
+                             std::pair(before.value("/images/scenes"_json_pointer, Json::array()),
+                                       after.value("/images/scenes"_json_pointer, Json::array()))})
+    for (std::string& words : differences_of_scenes(a, b)) found.runs_differ.push_back(std::move(words));
+  found.too_noisy = is_noisy(before) || is_noisy(after);
+
   std::map<std::string, Figure> first;
   for (Figure& figure : figures_of(before)) first.emplace(key_of(figure), figure);
   std::set<std::string> only_after;
@@ -92,7 +119,7 @@ ReportChanges compare_reports(const Json& before, const Json& after) {
     const bool timed = now.low.has_value() && was.low.has_value();
     ++(timed ? found.times : found.errors);
     if (timed) slower.push_back(now.more_is_better ? 1 / ratio : ratio);
-    if (!has_changed(was, now)) continue;
+    if ((timed && found.too_noisy) || !has_changed(was, now)) continue;
     (timed ? found.changed_times : found.changed_errors).push_back({was, now, ratio, now.more_is_better == (ratio > 1)});
   }
   std::set<std::string> only_before;

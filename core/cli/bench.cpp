@@ -114,13 +114,16 @@ std::string times_of(const bench::Change& change) {
 void print_changes(const char* title, const std::vector<bench::Change>& changes) {
   if (changes.empty()) return;
   std::cout << '\n' << title << '\n';
-  for (const bench::Change& change : changes) {
+  constexpr std::size_t most = 30;
+  for (std::size_t k = 0; k < std::min(most, changes.size()); ++k) {
+    const bench::Change& change = changes[k];
     char values[64];
     std::snprintf(values, sizeof values, "%.4g -> %.4g ", change.before.value, change.after.value);
     std::cout << "  " << (change.better ? "better " : "worse  ") << times_of(change) << change.after.section << ": "
               << change.after.subject << ": " << change.after.variant << ": " << change.after.what << ' ' << values
               << change.after.unit << '\n';
   }
+  if (changes.size() > most) std::cout << "  ... and " << changes.size() - most << " that changed less\n";
 }
 
 void print_only(const char* title, const std::vector<std::string>& names) {
@@ -140,11 +143,12 @@ void compare(const std::string& before, const std::string& after) {
   }
   if (changes.times + changes.errors == 0) throw Failure("the two reports have no figure in common");
   for (const std::string& sentence : changes.runs_differ) std::cout << "The runs differ in " << sentence << '\n';
-  char ratio[96];
-  std::snprintf(ratio, sizeof ratio,
-                "%zu times: the second run takes %.3g times as long in the median; %zu changed beyond noise.", changes.times,
-                changes.timing_ratio, changes.changed_times.size());
-  std::cout << ratio << '\n' << changes.errors << " errors and counts: " << changes.changed_errors.size() << " changed.\n";
+  std::printf("%zu times: the second run takes %.3g times as long in the median; ", changes.times, changes.timing_ratio);
+  if (changes.too_noisy)
+    std::printf("in one of the runs the machine was too busy to compare single ones.\n");
+  else
+    std::printf("%zu changed beyond noise.\n", changes.changed_times.size());
+  std::printf("%zu errors and counts: %zu changed.\n", changes.errors, changes.changed_errors.size());
   print_changes("Times", changes.changed_times);
   print_changes("Errors and counts", changes.changed_errors);
   print_only("Only in the first", changes.only_before);
