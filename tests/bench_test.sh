@@ -29,7 +29,7 @@ check "exit code $?, wanted 130: interrupted" test $? = 130
 says 'the same command goes on from there'
 check 'no report of half a run' test ! -e run/report.json
 kept=$(wc -l <run/measurements.jsonl)
-run 2 scene1 --quick --out run
+run 1 scene1 --quick --out run
 says 'differs from this one in: scenes.'
 check 'another run leaves it alone' test "$(wc -l <run/measurements.jsonl)" = "$kept"
 run 0 --quick --out run
