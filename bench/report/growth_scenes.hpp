@@ -6,8 +6,8 @@
 
 namespace raylab::bench {
 
-/// `count` matte spheres at random places of a cube, the same ones on every machine, so small that they fill the same part of
-/// it whatever their number: a light, and no floor.
+/// `count` matte spheres at random places of a cube, the same ones on every machine, so small that they fill the same part
+/// of it whatever their number: a light, and no floor.
 Scene many_spheres(std::size_t count);
 
 /// Five matte spheres, a mirroring one and one of glass among them if asked for, under one point light.
