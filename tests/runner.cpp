@@ -1,6 +1,7 @@
 #define CATCH_CONFIG_RUNNER
 #include "tests/runner.hpp"
 
+#include "core/render/stages_engine.hpp"
 #include "tests/catch.hpp"
 
 #include <cstdlib>
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 StageTable table_under_test;
+MakeEngine make_under_test;
 Totals totals;
 
 #if __has_include(<catch2/catch_all.hpp>)
@@ -43,13 +45,9 @@ struct TotalsListener : ListenerBase {
 };
 CATCH_REGISTER_LISTENER(TotalsListener)
 
-}  // namespace
-
-Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report) {
+Totals run(const std::string& selection, const std::filesystem::path& report) {
   static Catch::Session session;
-  table_under_test = table;
   totals = {};
-
   std::vector<std::string> arguments{"raylab test"};
   if (!selection.empty()) arguments.push_back(selection);
   if (!report.empty()) arguments.insert(arguments.end(), {"--out", report.string()});
@@ -62,6 +60,26 @@ Totals run_tests(const std::string& selection, const StageTable& table, const st
   return totals;
 }
 
+}  // namespace
+
+Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report) {
+  table_under_test = table;
+  make_under_test = [](const Scene& scene, const Settings& settings) {
+    return make_stages(scene, settings, table_under_test);
+  };
+  return run(selection, report);
+}
+
+Totals run_tests(const std::string& selection, const StageTable& table, const MakeEngine& make) {
+  table_under_test = table;
+  make_under_test = make;
+  return run(selection, {});
+}
+
 const StageTable& table() { return table_under_test; }
+
+std::unique_ptr<Engine> engine_under_test(const Scene& scene, const Settings& settings) {
+  return make_under_test(scene, settings);
+}
 
 }  // namespace raylab::test

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/render/engine.hpp"
 #include "core/render/stage_table.hpp"
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +23,14 @@ struct Totals {
 /// goes to `report`, or to standard output if that is empty.
 Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report = {});
 
+/// The same, where `make` makes the images: a table whose functions run in another process would take an hour over them.
+using MakeEngine = std::function<std::unique_ptr<Engine>(const Scene&, const Settings&)>;
+Totals run_tests(const std::string& selection, const StageTable& table, const MakeEngine& make);
+
 /// The table that the running tests judge.
 const StageTable& table();
+
+/// An engine that makes images with it. `scene` must outlive it.
+std::unique_ptr<Engine> engine_under_test(const Scene& scene, const Settings& settings);
+
 }  // namespace raylab::test

@@ -3,9 +3,8 @@
 #include "core/image/reference.hpp"
 #include "core/render/engine.hpp"
 #include "core/scene/scene.hpp"
+#include "tests/runner.hpp"
 
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,6 @@ struct Subject {
 /// All checked-in references, scene by scene: those of scenes/hard, or all others. Throws std::runtime_error if one cannot
 /// be read.
 std::vector<Subject> load_subjects(bool hard);
-
-using MakeEngine = std::function<std::unique_ptr<Engine>(const Scene&, const Settings&)>;
 
 /// The subject as another renderer draws it, at its reference's stage and size.
 Image rendered(const Subject& subject, const MakeEngine& make);

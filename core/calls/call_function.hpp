@@ -22,6 +22,29 @@ struct Kept<std::span<const T>> {
   using Type = std::vector<T>;
 };
 
+/// An argument as it is kept.
+template <class T>
+const T& keep(const T& argument) {
+  return argument;
+}
+template <class T>
+std::vector<T> keep(std::span<const T> argument) {
+  return {argument.begin(), argument.end()};
+}
+
+/// Arguments as a JSON object, under `names`: what call_function() reads.
+template <class... Parameters>
+std::string arguments_json(const std::vector<std::string>& names, const Parameters&... arguments) {
+  std::string out;
+  [[maybe_unused]] auto name = names.begin();
+  [[maybe_unused]] const auto write = [&]<class Value>(const Value& value) {
+    out += (out.empty() ? "{" : ",") + json_string(*name++) + ':';
+    PlainJson<Value>::write(out, value, json_number);
+  };
+  (write(keep(arguments)), ...);
+  return out.empty() ? "{}" : out + '}';
+}
+
 template <class Value>
 void read_argument(const JsonObject& arguments, const std::string& name, Value& value) {
   const JsonValue* const found = find_field(arguments, Field{name.c_str(), false}, JsonPlace{});

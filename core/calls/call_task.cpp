@@ -17,8 +17,8 @@ void with_function(const StageTable& table, std::string_view task, Visit visit) 
 #undef RAYLAB_VISIT
 }
 
-/// The names of a task's parameters, which are the keys of its example, and nowhere else.
-std::vector<std::string> parameter_names(const TaskInfo& task, std::size_t count) {
+/// The keys of a task's example, which name its parameters; nothing else does.
+std::vector<std::string> example_keys(const TaskInfo& task, std::size_t count) {
   const JsonValue example = parse_json(task.example);
   std::vector<std::string> names;
   for (const JsonMember& argument : std::get<JsonObject>(example.data)) names.push_back(argument.key);
@@ -30,7 +30,7 @@ std::vector<std::string> parameter_names(const TaskInfo& task, std::size_t count
 
 template <class Result, class... Parameters>
 TaskSignature signature(const TaskInfo& task, Result (*)(Parameters...)) {
-  const std::vector<std::string> names = parameter_names(task, sizeof...(Parameters));
+  const std::vector<std::string> names = example_keys(task, sizeof...(Parameters));
   [[maybe_unused]] auto name = names.begin();
   std::string result = PlainJson<Result>::describe();
   std::erase(result, '?');  // a result has all its fields
@@ -45,11 +45,16 @@ TaskSignature signature_of(const TaskInfo& task) {
   return found;
 }
 
-TaskCaller::TaskCaller(const StageTable& table, const TaskInfo& task) : table_(table), task_(task) {
-  with_function(table, task.label, [&]<class Result, class... Parameters>(Result (*)(Parameters...)) {
-    names_ = parameter_names(task, sizeof...(Parameters));
+std::vector<std::string> parameter_names(const TaskInfo& task) {
+  std::vector<std::string> names;
+  with_function({}, task.label, [&]<class Result, class... Parameters>(Result (*)(Parameters...)) {
+    names = example_keys(task, sizeof...(Parameters));
   });
+  return names;
 }
+
+TaskCaller::TaskCaller(const StageTable& table, const TaskInfo& task)
+    : table_(table), task_(task), names_(parameter_names(task)) {}
 
 std::string TaskCaller::call(std::string_view arguments) const {
   std::string line = "{\"task\":" + json_string(task_.label) + ",\"name\":" + json_string(task_.name) + ",\"result\":";

@@ -22,6 +22,9 @@ struct TaskSignature {
 
 TaskSignature signature_of(const TaskInfo& task);
 
+/// The names of a task's parameters, in order.
+std::vector<std::string> parameter_names(const TaskInfo& task);
+
 struct CallAnswer {
   std::string json;  ///< one line
   bool good;         ///< is it a result?

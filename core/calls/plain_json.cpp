@@ -107,6 +107,12 @@ void PlainJson<bool>::read(const JsonValue& json, bool& value, const JsonPlace& 
   value = *flag;
 }
 
+void PlainJson<std::string>::read(const JsonValue& json, std::string& value, const JsonPlace& place) {
+  const auto* text = std::get_if<std::string>(&json.data);
+  if (!text) refuse_kind(json, "a string", place);
+  value = *text;
+}
+
 void PlainJson<Vec3>::read(const JsonValue& json, Vec3& value, const JsonPlace& place) {
   const auto* list = std::get_if<JsonList>(&json.data);
   if (!list) refuse_kind(json, "a list of 3 numbers", place);

@@ -99,6 +99,13 @@ struct PlainJson<bool> {
   static std::string describe() { return "true or false"; }
 };
 
+template <>
+struct PlainJson<std::string> {
+  static void read(const JsonValue& json, std::string& value, const JsonPlace& place);
+  static void write(std::string& out, const std::string& value, NumberWriter) { out += json_string(value); }
+  static std::string describe() { return "string"; }
+};
+
 /// And a Color.
 template <>
 struct PlainJson<Vec3> {

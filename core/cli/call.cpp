@@ -4,6 +4,7 @@
 #include "core/cli/engines.hpp"
 #include "core/scene/diagnostic.hpp"
 #include "core/scene/nearest_name.hpp"
+#include "core/submission/remote_table.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -18,7 +19,7 @@ struct Call {
   std::string task;
   std::string arguments;
   bool from_input = false;  ///< no arguments were given
-  std::string with;
+  WithOptions submissions;
   std::string precision;
   bool list = false;
 };
@@ -87,10 +88,23 @@ bool answer_lines(const TaskCaller& caller) {
   return all_good;
 }
 
+/// "solution" or "fast", or nothing for the default; a folder is a submission's.
+std::string whose(const Call& call) { return call.submissions.with.empty() ? "" : call.submissions.with.back(); }
+
+/// The functions of a submission, if one is asked.
+std::unique_ptr<RemoteTable> remote_table(const Call& call, const TaskInfo& task) {
+  if (whose(call).empty() || whose(call) == "solution" || whose(call) == "fast") return nullptr;
+  if (!call.precision.empty()) throw Failure("--precision goes with --with solution and --with fast", wrong_usage);
+  const int stage = stage_of(task.label);
+  return std::make_unique<RemoteTable>(build_with(call.submissions, stage, stage));
+}
+
 void run(const Call& call) {
   if (call.list) return list_tasks();
   if (call.task.empty()) throw Failure("name a task; 'raylab call --list' lists them", wrong_usage);
-  const TaskCaller caller(table_for(call.with, call.precision), find_task(call.task));
+  const TaskInfo& task = find_task(call.task);
+  const std::unique_ptr<RemoteTable> remote = remote_table(call, task);
+  const TaskCaller caller(remote ? remote->table() : table_for(whose(call), call.precision), task);
   if (call.from_input) {
     if (!answer_lines(caller)) throw CLI::RuntimeError(failure);
     return;
@@ -110,9 +124,10 @@ void add_call(CLI::App& app) {
   CLI::Option* task = command->add_option("TASK", call->task, "A task, by label (2.2) or name (sphere_hit)");
   const CLI::Option* arguments = command->add_option(
       "JSON", call->arguments, "Its arguments, a JSON object; default: one such object a line from standard input");
-  command->add_option("--with", call->with, "Whose function: the solution's (default) or the fast engine's")
-      ->check(CLI::IsMember({"solution", "fast"}))
+  command->add_option("--with", call->submissions.with, "Whose function: solution (default), fast, or a submission's folder")
       ->type_name("WHOSE");
+  command->add_flag("--sanitize", call->submissions.sanitize,
+                    "Run a submission with checks of addresses and of undefined behaviour");
   command->add_option("--precision", call->precision, "f64 (default), f32, or oracle: the nearest doubles to the truth")
       ->check(CLI::IsMember({"f32", "f64", "oracle"}))
       ->type_name("PRECISION");
@@ -125,7 +140,8 @@ void add_call(CLI::App& app) {
       "  raylab call --list\n"
       "  raylab call reflect '{\"d\": [0.6, -0.8, 0], \"n\": [0, 1, 0]}'\n"
       "  raylab call 6.2 '{\"cos_theta\": \"0x1p-1\", \"refractive_index\": 1.5}' --precision oracle\n"
-      "  raylab call 2.2 <cases.jsonl >answers.jsonl");
+      "  raylab call 2.2 <cases.jsonl >answers.jsonl\n"
+      "  raylab call 2.2 --with my-lab <cases.jsonl");
   command->callback([call, arguments] {
     call->from_input = arguments->count() == 0;
     run(*call);

@@ -3,6 +3,7 @@
 #include "core/cli/command.hpp"
 #include "core/cli/watched_render.hpp"
 #include "core/render/stages_engine.hpp"
+#include "core/submission/worker_engine.hpp"
 #ifdef RAYLAB_WITH_ENGINE
 #include "reference/engine/engine.hpp"
 #include "reference/engine/tasks.hpp"
@@ -53,6 +54,7 @@ void add_common_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--threads", options.threads, "Threads to compute with; default: as many as there are cores")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
+  add_with_options(command, options.submissions);
 }
 
 void add_engine_options(CLI::App& command, RenderOptions& options) {
@@ -130,6 +132,11 @@ std::string precision_of(const RenderOptions& options) {
 
 std::unique_ptr<Engine> make_engine(const Scene& scene, const Settings& settings, const RenderOptions& options) {
   const std::string precision = precision_of(options);
+  if (!options.submissions.with.empty()) {
+    if (options.engine != "stages") throw Failure("--with goes with --engine stages only, the default", wrong_usage);
+    return make_worker_engine(scene, settings, build_with(options.submissions, 1, settings.stage),
+                              thread_count(options.threads), tell_stand_in);
+  }
   if (options.engine == "stages") return make_stages(scene, settings, solution_table());
 #ifdef RAYLAB_WITH_ENGINE
   if (options.engine == "fast") {

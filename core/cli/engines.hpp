@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/cli/submissions.hpp"
 #include "core/render/engine.hpp"
 #include "core/render/stage_table.hpp"
 
@@ -19,9 +20,10 @@ struct RenderOptions {
   std::string size;
   int max_bounces = -1;
   unsigned threads = 0;
+  WithOptions submissions;
 };
 
-/// Adds the options that all rendering commands have.
+/// Adds the options that all rendering commands have: --aa, --size, --max-bounces, --threads, --with, --sanitize.
 void add_common_options(CLI::App& command, RenderOptions& options);
 
 /// Adds --stage, --engine and --precision.

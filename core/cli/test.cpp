@@ -1,5 +1,8 @@
 #include "core/cli/command.hpp"
 #include "core/cli/engines.hpp"
+#include "core/cli/watched_render.hpp"
+#include "core/submission/remote_table.hpp"
+#include "core/submission/worker_engine.hpp"
 #ifdef RAYLAB_WITH_TESTS
 #include "tests/runner.hpp"
 #endif
@@ -7,10 +10,27 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace raylab::cli {
 namespace {
+
+struct Test {
+  std::string selection;
+  WithOptions submissions;
+};
+
+/// The stages that a selection asks for, first to last.
+std::pair<int, int> stages_of(const std::string& selection) {
+  if (selection.empty()) return {1, stage_list().back().number};
+  const auto tasks = task_list();
+  const auto task = std::find_if(tasks.begin(), tasks.end(), [&](const TaskInfo& t) { return t.label == selection; });
+  const int stage = task != tasks.end() ? stage_of(task->label) : find_stage(selection).number;
+  return {stage, stage};
+}
 
 /// The tag of the tests that a user asks for: "5.1", "5" or "reflections"; nothing selects all tests.
 std::string tag_of(const std::string& selection) {
@@ -25,24 +45,63 @@ std::string tag_of(const std::string& selection) {
   }
 }
 
+/// The tests of what is chosen of submissions, as far as `selection` asks for it: the unit tests of each task, and of each
+/// stage its images. Without the numerically hard cases, which ask for more than a right answer.
+std::string tags_of(const std::vector<Chosen>& submissions, const std::string& selection) {
+  const auto [first, last] = stages_of(selection);
+  const bool one_task = selection.find('.') != std::string::npos;
+  std::set<std::string> tags;
+  for (const Chosen& chosen : submissions)
+    for (const auto& [stage, file] : stage_files(chosen.folder)) {
+      if (stage < first || stage > last) continue;
+      const std::vector<std::string> tasks = chosen_tasks(chosen, stage);
+      for (const std::string& task : tasks)
+        if (!one_task || task == selection) tags.insert("[" + task + "]~[hard]");
+      if (!tasks.empty() && !one_task) tags.insert("[stage" + std::to_string(stage) + "][references]");
+    }
+  std::string all;
+  for (const std::string& tag : tags) all += (all.empty() ? "" : ",") + tag;
+  if (all.empty()) throw Failure("--with names nothing of " + selection, wrong_usage);
+  return all;
+}
+
+#ifdef RAYLAB_WITH_TESTS
+test::Totals run(const Test& test) {
+  const std::string tag = tag_of(test.selection);
+  if (test.submissions.with.empty()) return test::run_tests(tag, solution_table());
+  const std::vector<Chosen> chosen = chosen_submissions(test.submissions);
+  const auto [first, last] = stages_of(test.selection);
+  const WorkerSetup setup = build_with(test.submissions, first, last);
+  const RemoteTable remote(setup);
+  const auto images = [&](const Scene& scene, const Settings& settings) {
+    return make_worker_engine(scene, settings, setup, thread_count(0), tell_stand_in);
+  };
+  return test::run_tests(tags_of(chosen, test.selection), remote.table(), images);
+}
+#endif
+
 }  // namespace
 
 void add_test(CLI::App& app) {
   CLI::App* command = app.add_subcommand("test", "Run the tests of a stage, of a task or all");
-  const auto selection = std::make_shared<std::string>();
-  command->add_option("STAGE|TASK", *selection, "A stage (5, reflections) or a task (5.1); default: all tests");
+  const auto test = std::make_shared<Test>();
+  command->add_option("STAGE|TASK", test->selection, "A stage (5, reflections) or a task (5.1); default: all tests");
+  add_with_options(*command, test->submissions);
   command->footer(
+      "With --with the tests judge that code: the unit tests of its tasks, and the images of its stages. Its other stages\n"
+      "are the solution's.\n\n"
       "Exit code: 0 all passed, 1 some failed, 2 there is no such stage or task.\n\n"
-      "Examples:\n  raylab test\n  raylab test 5\n  raylab test 5.1");
-  command->callback([selection] {
-    const std::string tag = tag_of(*selection);
+      "Examples:\n  raylab test\n  raylab test 5\n  raylab test 5.1\n  raylab test 5.1 --with my-lab\n"
+      "  raylab test --with my-lab --sanitize");
+  command->callback([test] {
 #ifdef RAYLAB_WITH_TESTS
-    const test::Totals totals = test::run_tests(tag, solution_table());
-    if (totals.passed + totals.failed == 0) throw Failure("no test is tagged " + tag, wrong_usage);
+    const test::Totals totals = run(*test);
+    if (totals.passed + totals.failed == 0)
+      throw Failure("there are no such tests" + std::string(test->submissions.with.empty() ? "" : " of what --with names"),
+                    wrong_usage);
     std::cout << totals.passed << " passed, " << totals.failed << " failed\n";
     if (totals.failed > 0) throw Failure(std::to_string(totals.failed) + " tests failed");
 #else
-    (void)tag;
     throw Failure("the tests were left out when this raylab was built", wrong_usage);
 #endif
   });

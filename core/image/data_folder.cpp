@@ -6,10 +6,20 @@ namespace raylab {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+fs::path program_folder() { return fs::path(OIIO::Sysutil::this_program_path()).parent_path(); }
+
+}  // namespace
+
 fs::path data_folder(const std::string& name) {
-  const fs::path program(OIIO::Sysutil::this_program_path());
-  const fs::path installed = (program.parent_path() / RAYLAB_DATA_FROM_PROGRAM).lexically_normal() / name;
+  const fs::path installed = (program_folder() / RAYLAB_DATA_FROM_PROGRAM).lexically_normal() / name;
   return fs::exists(installed) ? installed : fs::path(RAYLAB_SOURCE_FOLDER) / name;
+}
+
+fs::path program_part(const std::string& name) {
+  const fs::path installed = (program_folder() / RAYLAB_PARTS_FROM_PROGRAM).lexically_normal() / name;
+  return fs::exists(installed) ? installed : program_folder() / name;
 }
 
 }  // namespace raylab

@@ -9,4 +9,7 @@ namespace raylab {
 /// beside the running program, or in the source folder that it was built from.
 std::filesystem::path data_folder(const std::string& name);
 
+/// What belongs to the running program but is none for users, "raylab-worker": installed apart, or built beside it.
+std::filesystem::path program_part(const std::string& name);
+
 }  // namespace raylab

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/math/fields.hpp"
 #include "core/math/sample.hpp"
 #include "core/math/vec3.hpp"
 #include "core/scene/scene.hpp"
@@ -30,6 +31,12 @@ inline constexpr std::array<std::pair<std::string_view, AntiAliasing>, 7> aa_pat
      {"grid1024", AntiAliasing::grid1024},
      {"adaptive", AntiAliasing::adaptive}}};
 
+/// As RAYLAB_NAMES would write it, from that list.
+template <class Visit>
+constexpr void for_each_name(AntiAliasing, Visit&& visit) {
+  for (const auto& [name, pattern] : aa_patterns) visit(name.data(), pattern);
+}
+
 /// The name of a pattern.
 std::string_view aa_name(AntiAliasing pattern);
 
@@ -54,6 +61,7 @@ struct Settings {
   int max_bounces = 5;             ///< in place of the scene's
   std::optional<AntiAliasing> aa;  ///< nothing: as the stage says, one sample before stage 7, the rotated grid from there
 };
+RAYLAB_FIELDS(Settings, RAYLAB_FIELD(stage) RAYLAB_FIELD(size) RAYLAB_FIELD(max_bounces) RAYLAB_OPTIONAL_FIELD(aa))
 
 /// How many rays of each kind were traced; one primary ray for each sample.
 struct RayCounts {
@@ -64,6 +72,7 @@ struct RayCounts {
 
   RayCounts& operator+=(const RayCounts& other);
 };
+RAYLAB_FIELDS(RayCounts, RAYLAB_FIELD(primary) RAYLAB_FIELD(shadow) RAYLAB_FIELD(reflected) RAYLAB_FIELD(refracted))
 
 /// How an engine that takes pains to be fast works; without a name of an instruction set, it does not.
 struct EngineFacts {

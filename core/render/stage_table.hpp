@@ -4,12 +4,21 @@
 #include "core/math/task_export.hpp"
 #include "stages/stages.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace raylab {
+
+/// The place of each task in task_list(), and how many there are.
+enum class TaskIndex : std::size_t {
+#define RAYLAB_INDEX(label, function, summary, example) function,
+  RAYLAB_TASKS(RAYLAB_INDEX)
+#undef RAYLAB_INDEX
+      count
+};
 
 /// One function for each task of every stage: all that the driver and the tests know of an implementation.
 struct StageTable {
@@ -44,8 +53,12 @@ std::string stage_title(int number);
 /// The number of the stage that a task belongs to: 5 for "5.1".
 int stage_of(std::string_view task_label);
 
-/// The table of an implementation's exported tasks. Throws std::runtime_error if they were built for other contracts.
+/// The table of an implementation's exported tasks. Throws std::runtime_error if they were built for other contracts or one
+/// is missing.
 StageTable import_tasks(const ExportedTasks& exported);
+
+/// The same of an implementation of some tasks only: the others are null.
+StageTable import_some_tasks(const ExportedTasks& exported);
 
 /// Puts the tasks of `other` that `selection` names, a stage ("4") or a task ("5.1"), into `table`.
 /// Throws std::invalid_argument if there is no such stage or task.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/math/camera.hpp"
+#include "core/math/fields.hpp"
 #include "core/math/lights.hpp"
 #include "core/math/material.hpp"
 #include "core/math/ray.hpp"
@@ -17,16 +18,19 @@ struct ImageSize {
   int width = 640;
   int height = 480;
 };
+RAYLAB_FIELDS(ImageSize, RAYLAB_FIELD(width) RAYLAB_FIELD(height))
 
 struct PlaneObject {
   Plane shape;
   Material material;
 };
+RAYLAB_FIELDS(PlaneObject, RAYLAB_FIELD(shape) RAYLAB_FIELD(material))
 
 struct SphereObject {
   Sphere shape;
   Material material;
 };
+RAYLAB_FIELDS(SphereObject, RAYLAB_FIELD(shape) RAYLAB_FIELD(material))
 
 /// Many opaque spheres that share one material; with a table of colors each has its own instead of `material.color`.
 struct SphereCloud {
@@ -34,6 +38,7 @@ struct SphereCloud {
   std::vector<Color> colors;  ///< empty, or one for each sphere
   Material material;
 };
+RAYLAB_FIELDS(SphereCloud, RAYLAB_FIELD(spheres) RAYLAB_FIELD(colors) RAYLAB_FIELD(material))
 
 /// All that a scene file says, as plain data: one array for each kind of thing, in file order. Numbers are as written:
 /// directions are not yet unit vectors.
@@ -50,6 +55,9 @@ struct Scene {
   std::vector<DirectionalLight> directional_lights;
   std::vector<AmbientLight> ambient_lights;
 };
+RAYLAB_FIELDS(Scene, RAYLAB_FIELD(title) RAYLAB_FIELD(max_bounces) RAYLAB_FIELD(background) RAYLAB_FIELD(camera)
+                         RAYLAB_FIELD(image) RAYLAB_FIELD(planes) RAYLAB_FIELD(spheres) RAYLAB_FIELD(clouds)
+                             RAYLAB_FIELD(point_lights) RAYLAB_FIELD(directional_lights) RAYLAB_FIELD(ambient_lights))
 
 /// How many geometries there are: GeometryIds run from 0 to one less.
 inline std::size_t geometry_count(const Scene& scene) {

@@ -1,0 +1,227 @@
+#include "core/submission/child_process.hpp"
+
+#include "core/render/engine.hpp"
+#include "core/submission/messages.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <thread>
+#include <utility>
+
+extern char** environ;
+
+namespace raylab {
+namespace {
+
+constexpr std::size_t longest_line = std::size_t{64} << 20U;
+
+[[noreturn]] void fail(const std::string& what, int error) { throw std::runtime_error(what + ": " + std::strerror(error)); }
+
+/// A descriptor beyond those that a child is given, closed when another program starts.
+int moved_up(int descriptor) {
+  const int high = fcntl(descriptor, F_DUPFD_CLOEXEC, 10);
+  const int error = errno;
+  close(descriptor);
+  if (high < 0) fail("no more files can be opened", error);
+  return high;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> all;
+  for (std::string& text : texts) all.push_back(text.data());
+  all.push_back(nullptr);
+  return all;
+}
+
+class FileActions {
+ public:
+  FileActions() { posix_spawn_file_actions_init(&actions_); }
+  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
+  FileActions(const FileActions&) = delete;
+  FileActions& operator=(const FileActions&) = delete;
+
+  void duplicate(int from, int to) { posix_spawn_file_actions_adddup2(&actions_, from, to); }
+  void open_nothing(int descriptor) { posix_spawn_file_actions_addopen(&actions_, descriptor, "/dev/null", O_RDONLY, 0); }
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+/// Starts a program in a group of its own: a Ctrl-C in the terminal reaches raylab alone, which ends the child in its way.
+pid_t start(std::vector<std::string> arguments, const std::vector<std::string>& more_environment, const FileActions& files) {
+  std::vector<std::string> environment;
+  for (char** entry = environ; *entry; ++entry) environment.emplace_back(*entry);
+  environment.insert(environment.end(), more_environment.begin(), more_environment.end());
+
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  sigset_t none, all;
+  sigemptyset(&none);
+  sigfillset(&all);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setsigdefault(&attributes, &all);
+  pid_t pid = -1;
+  const int error = posix_spawnp(&pid, arguments.front().c_str(), files.get(), &attributes, pointers(arguments).data(),
+                                 pointers(environment).data());
+  posix_spawnattr_destroy(&attributes);
+  if (error != 0) fail(arguments.front() + " cannot be started", error);
+  return pid;
+}
+
+int wait_for_end(pid_t pid) {
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+std::string ending(int status) {
+  if (WIFEXITED(status)) return "ended the program with exit code " + std::to_string(WEXITSTATUS(status));
+  switch (WTERMSIG(status)) {
+    case SIGSEGV:
+    case SIGBUS:
+      return "crashed: memory that it may not touch (a bad index or pointer), or a recursion without end";
+    case SIGFPE:
+      return "crashed: a whole number divided by zero";
+    case SIGABRT:
+      return "crashed: abort, as after a failed assertion";
+    case SIGILL:
+      return "crashed: an impossible instruction, as at the end of a function without a return";
+    case SIGKILL:
+      return "was killed, as for taking too much memory";
+    default:
+      return std::string("crashed: ") + strsignal(WTERMSIG(status));
+  }
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) fail("no line to a child process", errno);
+  channel_ = moved_up(ends[0]);
+  const int childs = moved_up(ends[1]);
+  FileActions files;
+  files.open_nothing(STDIN_FILENO);
+  files.duplicate(STDERR_FILENO, STDOUT_FILENO);
+  files.duplicate(childs, worker_channel);
+  try {
+    pid_ = start(arguments, environment, files);
+  } catch (...) {
+    close(channel_);
+    close(childs);
+    throw;
+  }
+  close(childs);
+}
+
+ChildProcess::~ChildProcess() {
+  if (channel_ >= 0) close(channel_);
+  if (pid_ < 0) return;
+  kill(-pid_, SIGKILL);
+  wait_for_end(pid_);
+}
+
+void ChildProcess::fail_ended() {
+  // It has closed the line, so it is ending; what it does instead is its last chance.
+  const auto deadline = Clock::now() + std::chrono::seconds(2);
+  int status = 0;
+  while (waitpid(pid_, &status, WNOHANG) == 0) {
+    if (Clock::now() > deadline) {
+      kill(-pid_, SIGKILL);
+      status = wait_for_end(pid_);
+      break;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  kill(-pid_, SIGKILL);
+  pid_ = -1;
+  throw ChildEnded(ending(status));
+}
+
+/// Until the line can be read or written.
+void ChildProcess::wait_for(short events, Clock::time_point deadline, const std::atomic<bool>* cancel) {
+  for (;;) {
+    if (cancel && *cancel) throw Cancelled{};
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) throw ChildSilent("gave no answer in time: a loop without end?");
+    pollfd line{channel_, events, 0};
+    if (poll(&line, 1, static_cast<int>(std::min<long>(left, 20))) > 0) return;
+  }
+}
+
+void ChildProcess::send(std::string_view line, Clock::time_point deadline, const std::atomic<bool>* cancel) {
+  const std::string message = std::string(line) + '\n';
+  for (std::string_view rest = message; !rest.empty();) {
+    wait_for(POLLOUT, deadline, cancel);
+    const ssize_t sent = ::send(channel_, rest.data(), rest.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (sent >= 0)
+      rest.remove_prefix(static_cast<std::size_t>(sent));
+    else if (errno != EAGAIN && errno != EINTR)
+      fail_ended();
+  }
+}
+
+std::string ChildProcess::receive(Clock::time_point deadline, const std::atomic<bool>* cancel) {
+  std::size_t searched = 0;
+  for (;;) {
+    if (const std::size_t end = received_.find('\n', searched); end != std::string::npos) {
+      std::string line = received_.substr(0, end);
+      received_.erase(0, end + 1);
+      return line;
+    }
+    searched = received_.size();
+    if (searched > longest_line) throw ChildSilent("gave an answer without end");
+    wait_for(POLLIN, deadline, cancel);
+    std::array<char, 65536> buffer;
+    const ssize_t got = recv(channel_, buffer.data(), buffer.size(), MSG_DONTWAIT);
+    if (got > 0)
+      received_.append(buffer.data(), static_cast<std::size_t>(got));
+    else if (got == 0 || (errno != EAGAIN && errno != EINTR))
+      fail_ended();
+  }
+}
+
+Finished run_program(const std::vector<std::string>& arguments) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) fail("no pipe to a child process", errno);
+  const int output = moved_up(ends[0]), childs = moved_up(ends[1]);
+  FileActions files;
+  files.open_nothing(STDIN_FILENO);
+  files.duplicate(childs, STDOUT_FILENO);
+  files.duplicate(childs, STDERR_FILENO);
+  pid_t pid = -1;
+  try {
+    pid = start(arguments, {}, files);
+  } catch (...) {
+    close(output);
+    close(childs);
+    throw;
+  }
+  close(childs);
+  Finished finished{false, {}};
+  std::array<char, 65536> buffer;
+  for (ssize_t got = 1; got != 0;) {
+    got = read(output, buffer.data(), buffer.size());
+    if (got > 0) finished.output.append(buffer.data(), static_cast<std::size_t>(got));
+    if (got < 0 && errno != EINTR) break;
+  }
+  close(output);
+  const int status = wait_for_end(pid);
+  finished.good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return finished;
+}
+
+}  // namespace raylab

@@ -1,0 +1,195 @@
+#include "core/submission/compiler.hpp"
+
+#include "core/image/data_folder.hpp"
+#include "core/image/partial_file.hpp"
+#include "core/render/stage_table.hpp"
+#include "core/submission/child_process.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <vector>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value ? value : "";
+}
+
+/// The compiler that built raylab, or the one that CXX in the environment names.
+std::string compiler() {
+  if (const std::string own = variable("CXX"); !own.empty()) return own;
+  return fs::exists(RAYLAB_COMPILER) ? RAYLAB_COMPILER : "c++";
+}
+
+fs::path cache_folder() {
+  if (const std::string cache = variable("XDG_CACHE_HOME"); !cache.empty()) return fs::path(cache) / "raylab";
+  if (const std::string home = variable("HOME"); !home.empty()) return fs::path(home) / ".cache" / "raylab";
+  return fs::temp_directory_path() / "raylab-cache";
+}
+
+std::string content(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw std::runtime_error(path.string() + ": cannot be read");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += word + ' ';
+  return text;
+}
+
+std::string hash(const std::string& text) {
+  std::ostringstream stream;
+  stream << std::hex << std::hash<std::string>{}(text);
+  return stream.str();
+}
+
+/// All that a stage's file can include of raylab.
+std::string contracts() {
+  std::string all;
+  for (const char* const folder : {"core/math", "stages"}) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(data_folder(folder)))
+      if (entry.path().extension() == ".hpp" || entry.path().filename() == "export_tasks.cpp") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) all += content(file);
+  }
+  return all;
+}
+
+/// As a string literal of C++.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  write_file(path, [&](std::ostream& stream) { stream << text; });
+}
+
+/// What most files of a stage include anyway.
+const char* const common_headers = R"(#include "core/math/camera.hpp"
+#include "core/math/contract.hpp"
+#include "core/math/hit.hpp"
+#include "core/math/lights.hpp"
+#include "core/math/material.hpp"
+#include "core/math/ray.hpp"
+#include "core/math/sample.hpp"
+#include "core/math/seen.hpp"
+#include "core/math/shapes.hpp"
+#include "core/math/task_export.hpp"
+#include "core/math/vec3.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <typeinfo>
+#include <vector>
+)";
+
+}  // namespace
+
+StageCompiler::StageCompiler(const CompilerOptions& options) : options_(options) {
+  const fs::path root = data_folder("stages").parent_path();
+  command_ = {compiler(),
+              "-std=c++20",
+              "-O2",
+              "-g1",
+              "-fPIC",
+              "-fvisibility=hidden",
+              "-ffp-contract=off",
+              "-Wall",
+              "-Wextra",
+              "-Wno-unused-parameter",
+              "-DRAYLAB_IMPLEMENTATION=submission",
+              "-I" + root.string()};
+  if (options.sanitize) {
+    command_.insert(command_.end(),
+                    {"-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"});
+    command_[2] = "-O1";
+  }
+  const Finished version = run_program({command_.front(), "--version"});
+  if (!version.good)
+    throw std::runtime_error(command_.front() + ": is no C++ compiler that runs here; install one (g++), or name it in CXX");
+  folder_ = cache_folder() / hash(joined(command_) + version.output + contracts());
+  fs::create_directories(folder_);
+}
+
+/// A file of the cache that the compiler makes, with these arguments, if it is not there yet.
+fs::path StageCompiler::prepared(const std::string& name, const std::vector<std::string>& arguments) const {
+  const fs::path path = folder_ / name;
+  if (fs::exists(path)) return path;
+  PartialFile file(path);
+  std::vector<std::string> command = command_;
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  command.insert(command.end(), {"-o", file.temporary().string()});
+  const Finished finished = run_program(command);
+  if (!finished.good) throw std::runtime_error("the lab's own headers do not compile:\n" + finished.output);
+  file.commit();
+  return path;
+}
+
+StageCompiler::Built StageCompiler::build(int stage, const fs::path& source) const {
+  const std::string text = content(source);
+  const std::string name = hash(source.string() + '\n' + text) + ".so";
+  if (fs::exists(folder_ / name)) return {folder_ / name, content(folder_ / (name + ".txt"))};
+
+  const fs::path header = folder_ / "common.hpp";
+  if (!fs::exists(header)) write_text(header, common_headers);
+  prepared("common.hpp.gch", {"-x", "c++-header", header.string()});
+  const std::string folder(stage_info(stage).folder);
+  std::string macro = "RAYLAB_TASKS_" + folder;
+  std::transform(macro.begin(), macro.end(), macro.begin(), [](unsigned char c) { return std::toupper(c); });
+  const fs::path exports =
+      prepared(folder + ".o", {"-include", header.string(), "-DRAYLAB_STAGE_HEADER=\"stages/" + folder + "/stage.hpp\"",
+                               "-DRAYLAB_STAGE_TASKS=" + macro, "-c", data_folder("stages/export_tasks.cpp").string()});
+
+  // A copy, so that it finds no other files of its folder: a submission is its stages' files and nothing else.
+  PartialFile library(folder_ / name), copy(folder_ / (name + ".cpp"));
+  {
+    std::ofstream stream(copy.temporary(), std::ios::binary);
+    stream << "#line 1 " << quoted(source.string()) << '\n' << text;
+  }
+  std::vector<std::string> command = command_;
+  command.insert(command.end(), {options_.color ? "-fdiagnostics-color=always" : "-fdiagnostics-color=never", "-include",
+                                 header.string(), "-shared", "-x", "c++", copy.temporary().string(), "-x", "none",
+                                 exports.string(), "-Wl,-z,defs", "-o", library.temporary().string()});
+  if (options_.sanitize) std::erase(command, "-Wl,-z,defs");  // the sanitizers' functions are the worker's
+  const Finished finished = run_program(command);
+  if (!finished.good) throw DoesNotCompile(finished.output);
+  write_text(folder_ / (name + ".txt"), finished.output);
+  library.commit();
+  return {folder_ / name, finished.output};
+}
+
+std::vector<std::string> StageCompiler::worker_environment() const {
+  if (!options_.sanitize) return {};
+  std::string preload;
+  for (const char* const runtime : {"libasan.so", "libubsan.so"}) {
+    std::string path = run_program({command_.front(), std::string("-print-file-name=") + runtime}).output;
+    path.erase(path.find_last_not_of('\n') + 1);
+    if (!path.starts_with('/'))
+      throw std::runtime_error("--sanitize: " + command_.front() + " has no " + runtime + ": use g++, by CXX=g++");
+    preload += (preload.empty() ? "" : ":") + path;
+  }
+  return {"LD_PRELOAD=" + preload, "ASAN_OPTIONS=detect_leaks=0", "UBSAN_OPTIONS=print_stacktrace=1"};
+}
+
+}  // namespace raylab

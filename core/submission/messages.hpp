@@ -1,0 +1,69 @@
+#pragma once
+
+// What raylab and its worker say to each other: lines, each a verb and JSON. The worker's task calls are answered in order.
+//
+//   raylab -> worker                         worker -> raylab
+//                                            ready {}                     once, when all code is loaded
+//   call 2.2 {"ray": ..., "sphere": ...}     answer RESULT | unwritten "task 2.2 ..." | failed "what was thrown"
+//   scene {"scene": ..., "settings": ...}    answer {} | unwritten ... | failed ...
+//   trace {"row": 3, "column": 0, "pixels": 32}   answer {"pixels": [...], "rays": ...} | unwritten ... | failed ...
+//   announce {}                              answer {}; from then on, before each call while it traces:
+//                                            calling 2.2 {"ray": ...}
+//                                            stands-in "task 2.3 ..."     once a task, before the answer
+
+#include "core/calls/plain_json.hpp"
+#include "core/render/engine.hpp"
+#include "core/scene/scene.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace raylab {
+
+struct SceneMessage {
+  Scene scene;
+  Settings settings;
+};
+RAYLAB_FIELDS(SceneMessage, RAYLAB_FIELD(scene) RAYLAB_FIELD(settings))
+
+/// Some pixels of a row, from `column` to the right.
+struct TraceMessage {
+  int row = 0;
+  int column = 0;
+  int pixels = 0;
+};
+RAYLAB_FIELDS(TraceMessage, RAYLAB_FIELD(row) RAYLAB_FIELD(column) RAYLAB_FIELD(pixels))
+
+struct TraceAnswer {
+  std::vector<Color> pixels;
+  RayCounts rays;
+};
+RAYLAB_FIELDS(TraceAnswer, RAYLAB_FIELD(pixels) RAYLAB_FIELD(rays))
+
+/// The descriptor on which a worker finds the line to raylab.
+inline constexpr int worker_channel = 3;
+
+template <class T>
+std::string to_json(const T& value) {
+  std::string out;
+  PlainJson<T>::write(out, value, json_number);
+  return out;
+}
+
+/// Throws InputError.
+template <class T>
+T from_json(std::string_view text) {
+  T value{};
+  PlainJson<T>::read(parse_json(text), value, JsonPlace{});
+  return value;
+}
+
+/// "call 2.2 {...}" taken apart at its first blank: "call" and the rest.
+inline std::pair<std::string_view, std::string_view> first_word(std::string_view line) {
+  const std::size_t blank = std::min(line.find(' '), line.size());
+  return {line.substr(0, blank), line.substr(std::min(blank + 1, line.size()))};
+}
+
+}  // namespace raylab

@@ -1,0 +1,62 @@
+#include "core/submission/stage_files.hpp"
+
+#include "core/render/stage_table.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool selects(const std::string& selection, const TaskInfo& task) {
+  return selection == task.label || selection == std::to_string(stage_of(task.label));
+}
+
+}  // namespace
+
+Chosen parse_chosen(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || fs::is_directory(text)) return {text, {}};
+  Chosen chosen{text.substr(0, colon), {}};
+  for (std::size_t start = colon + 1; start <= text.size();) {
+    const std::string selection = text.substr(start, text.find(',', start) - start);
+    const auto tasks = task_list();
+    if (std::none_of(tasks.begin(), tasks.end(), [&](const TaskInfo& task) { return selects(selection, task); }))
+      throw std::invalid_argument("--with " + text + ": there is no stage or task '" + selection +
+                                  "': 'raylab stages' lists them");
+    chosen.selections.push_back(selection);
+    start += selection.size() + 1;
+  }
+  return chosen;
+}
+
+std::string stage_file(int stage) { return std::string(stage_info(stage).folder) + ".cpp"; }
+
+std::map<int, fs::path> stage_files(const fs::path& folder) {
+  if (!fs::is_directory(folder))
+    throw std::runtime_error(folder.string() + ": is no folder; a submission is a folder with " + stage_file(1) +
+                             " and so on. 'raylab new' makes one");
+  std::map<int, fs::path> files;
+  for (const StageInfo& stage : stage_list())
+    if (const fs::path file = folder / stage_file(stage.number); fs::is_regular_file(file)) files[stage.number] = file;
+  if (!files.empty()) return files;
+  std::string names;
+  for (const StageInfo& stage : stage_list()) names += " " + stage_file(stage.number);
+  throw std::runtime_error(folder.string() + ": has none of the files that a submission may have:" + names);
+}
+
+std::vector<std::string> chosen_tasks(const Chosen& chosen, int stage) {
+  std::vector<std::string> labels;
+  for (const TaskInfo& task : task_list()) {
+    const auto selected = [&](const std::string& selection) { return selects(selection, task); };
+    const auto& all = chosen.selections;
+    if (stage_of(task.label) == stage && (all.empty() || std::any_of(all.begin(), all.end(), selected)))
+      labels.emplace_back(task.label);
+  }
+  return labels;
+}
+
+}  // namespace raylab

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/submission/child_process.hpp"
+#include "core/submission/messages.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raylab {
+
+/// A compiled stage, and which of its tasks count.
+struct StageLibrary {
+  std::filesystem::path file;
+  std::vector<std::string> tasks;  ///< labels: "5.1"
+};
+
+/// What a worker runs: libraries, of which a later one wins over an earlier one. A task that is not written in a later one
+/// falls back on an earlier one while images are made, not when it is called alone.
+struct WorkerSetup {
+  std::vector<StageLibrary> libraries;
+  std::vector<std::string> environment;  ///< of the worker, "NAME=VALUE": what a sanitizer needs
+};
+
+/// A worker process: other people's code, at arm's length. It is sent plain data and sends plain data back.
+class Worker {
+ public:
+  /// Starts it and waits until its code is loaded. Throws std::runtime_error if that fails, saying how.
+  explicit Worker(const WorkerSetup& setup);
+
+  /// Sends a request and gives back its answer, JSON. `aside` is told what else it says meanwhile: a verb and the rest.
+  /// Throws NotWritten, and std::runtime_error with what the code threw. Throws ChildEnded and ChildSilent when the process
+  /// is lost: this object is of no more use then.
+  using Aside = std::function<void(std::string_view verb, std::string_view rest)>;
+  std::string ask(std::string_view request, std::chrono::milliseconds limit, const Aside& aside = {},
+                  const std::atomic<bool>* cancel = nullptr);
+
+ private:
+  ChildProcess process_;
+};
+
+/// The compiled solution of a stage, which mixes with a student's stages.
+std::filesystem::path solution_library(int stage);
+
+}  // namespace raylab
