@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # The numbers to check by hand on the pages of stages/ are what the code gives. They stand in fenced blocks marked `hand`:
-#   raylab call 3.1 '{"shininess": 200}'  -> 0.462117     calls a task; "..." in a result stands for anything
+#   raylab call 3.1 '{"shininess": 200}'  -> 0.462117     calls a task
 #   b^2 - q = 25 - 24.36 = 0.64                           arithmetic: all sides are equal; the last is a number
-# Numbers with six decimals or more are rounded, those with fewer are exact. "#" starts a remark. Elsewhere on a page no number
-# has more than three decimals, so that none escapes.
+# In a result "..." stands for anything, and a comma at the end of the line says that it goes on. Numbers with six decimals or more
+# are rounded, those with fewer are exact. "#" starts a remark. Elsewhere on a page no number has more than three decimals, so that
+# none escapes.
 #   tests/worked_numbers_test.sh PROGRAM SOURCE_FOLDER
 set -uo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
@@ -13,7 +14,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$2" || exit 1
 mapfile -t pages < <(find stages -name README.md | sort)
 
-# close GOT WANTED: are two numbers equal, within the decimals of the second? In awk, for both programs below.
+# In awk, for both programs below: are two numbers equal, within the decimals of the second?
 close_awk='
 function decimals(text,   point) { sub(/[eE].*/, "", text); point = index(text, "."); return point ? length(text) - point : 0 }
 function close_to(got, wanted,   gap, size) {
@@ -59,7 +60,7 @@ FNR == 1 { hand = 0 }
 /^raylab call / { call = "" ; open = 1 }
 open {
   call = call " " $0
-  if ((arrow = index(call, "->")) == 0) next
+  if ((arrow = index(call, "->")) == 0 || /,$/) next
   open = 0
   first = index(call, "\047"); last = first + index(substr(call, first + 1), "\047")
   split(substr(call, 1, first), word, " ")
@@ -82,8 +83,8 @@ FNR == 1 { hand = 0 }
 /^```/ { hand = !hand && /^```hand/; if (hand) print "#" FILENAME; open = 0; next }
 !hand { next }
 { sub(/[ ]*#.*/, "") }
-/^raylab call / { open = 1 }
-open { if (/->/) open = 0; next }
+/^raylab call / { open = 1; arrow = 0 }
+open { if (/->/) arrow = 1; if (arrow && !/,$/) open = 0; next }
 NF { print }' "${pages[@]}" |
   sed -E 's/\(([^()]+,[^()]+,[^()]+)\) \. \(([^()]+,[^()]+,[^()]+)\)/dot(\1, \2)/g; s/\|\(([^()]+)\)\|/norm(\1)/g' |
   awk '
@@ -109,7 +110,7 @@ function asin(x) { return atan2(x, sqrt(1 - x * x)) }
 function max(a, b) { return (a > b) ? a : b }
 function dot(a, b, c, d, e, f) { return a * d + b * e + c * f }
 function norm(a, b, c) { return sqrt(a * a + b * b + c * c) }
-BEGIN {'
+BEGIN { OFMT = CONVFMT = "%.12g"'
   cat "$folder/arithmetic"
   echo 'print sides + 0 " sides checked" }'
 } >"$folder/arithmetic.awk"
