@@ -12,7 +12,7 @@ program=$(realpath "$1")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$2" || exit 1
-mapfile -t pages < <(find stages -name README.md | sort)
+pages=(stages/README.md stages/*/README.md)
 
 # In awk, for both programs below: are two numbers equal, within the decimals of the second?
 close_awk='
