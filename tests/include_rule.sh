@@ -40,7 +40,7 @@ rule 'core/references/*' core/math/ core/scene/ core/image/ core/render/ core/ca
 rule 'core/submission/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/submission/
 rule 'core/explain/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/submission/ core/explain/
 rule 'core/report/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/ core/report/
-rule 'core/cli/*.?pp' core/ 'bench/report/(bench|compare).hpp' 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp' tests/runner.hpp
+rule 'core/cli/*.?pp' core/ 'bench/report/(bench|compare).hpp' 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp' 'tests/(runner|hints/hints).hpp'
 rule 'bench/report/*.?pp' core/ bench/ 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp'
 rule 'bench/variants/*.?pp' core/ bench/variants/
 rule 'stages/*/*.?pp' core/math/ 'stages/[0-9][0-9]_'
@@ -57,7 +57,7 @@ only CLI/ '^core/cli/'
 only boost/ '^reference/oracle/'
 only hwy/ '^(bench|reference/engine)/'
 only glm '^(core/math|reference/solution|stages)/'
-only nlohmann '^(bench/report|core/(calls|cli|references|report)|tests)/'
+only nlohmann '^(bench/report|core/(calls|cli|explain|references|report)|tests)/'
 only catch2 '^tests/'
 only '(sys/|unistd|linux/|windows|fcntl|spawn|poll|dlfcn)' '^core/submission/'  # the one place that knows of processes
 

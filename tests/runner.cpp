@@ -4,9 +4,12 @@
 #include "core/render/stages_engine.hpp"
 #include "tests/catch.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace raylab::test {
@@ -18,30 +21,72 @@ namespace {
 StageTable table_under_test;
 MakeEngine make_under_test;
 Totals totals;
+bool told = false;  ///< is each test told of, as it ends?
 
 #if __has_include(<catch2/catch_all.hpp>)
 using ListenerBase = Catch::EventListenerBase;
+using AssertionEnded = void;
 #else
 using ListenerBase = Catch::TestEventListenerBase;
+using AssertionEnded = bool;
 #endif
 
-/// Hears how the tests end, which Catch2 otherwise only prints.
+constexpr std::string_view unknown = "{Unknown expression after the reported line}";  // Catch2's, of what throws elsewhere
+
+/// A failed assertion in a few lines.
+std::string in_words(const Catch::AssertionStats& stats) {
+  const Catch::AssertionResult& result = stats.assertionResult;
+  std::string text;
+  const auto add = [&](std::string line) {
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    text += "        " + line + '\n';
+  };
+  const std::string message(result.getMessage());
+  if (result.hasExpression() && result.getExpression() != unknown) add(result.getExpressionInMacro());
+  if (result.hasExpandedExpression() && result.getExpandedExpression() != result.getExpression())
+    add("is " + result.getExpandedExpression());
+  if (result.hasMessage()) text += "        " + message + '\n';
+  for (const Catch::MessageInfo& info : stats.infoMessages)
+    if (info.message != message) text += "        " + info.message + '\n';
+  return text;
+}
+
+/// Hears how the tests end, which Catch2 otherwise only prints; and tells of each, if asked to, with its first failure.
 struct TotalsListener : ListenerBase {
   using ListenerBase::ListenerBase;
   void testCaseStarting(const Catch::TestCaseInfo& test) override {
     ListenerBase::testCaseStarting(test);
     running = test.name;
+    first_failure.clear();
+    more_failures = 0;
+  }
+  AssertionEnded assertionEnded(const Catch::AssertionStats& stats) override {
+    if (!stats.assertionResult.isOk()) {
+      if (first_failure.empty())
+        first_failure = in_words(stats);
+      else
+        ++more_failures;
+    }
+    return ListenerBase::assertionEnded(stats);
   }
   void testCaseEnded(const Catch::TestCaseStats& test) override {
     if (test.totals.testCases.failed > 0) totals.failures.push_back(running);
+    if (told) {
+      std::cout << (test.totals.testCases.failed > 0 ? "FAILED  " : "passed  ") << running << '\n' << first_failure;
+      if (more_failures > 0) std::cout << "        and " << more_failures << " more\n";
+      std::cout << std::flush;
+    }
     ListenerBase::testCaseEnded(test);
   }
   void testRunEnded(const Catch::TestRunStats& run) override {
     totals.passed = static_cast<std::size_t>(run.totals.testCases.passed);
     totals.failed = static_cast<std::size_t>(run.totals.testCases.failed);
+    ListenerBase::testRunEnded(run);
   }
 
   std::string running;
+  std::string first_failure;
+  std::size_t more_failures = 0;
 };
 CATCH_REGISTER_LISTENER(TotalsListener)
 
@@ -67,13 +112,15 @@ Totals run_tests(const std::string& selection, const StageTable& table, const st
   make_under_test = [](const Scene& scene, const Settings& settings) {
     return make_stages(scene, settings, table_under_test);
   };
+  told = false;
   return run(selection, report);
 }
 
 Totals run_tests(const std::string& selection, const StageTable& table, const MakeEngine& make) {
   table_under_test = table;
   make_under_test = make;
-  return run(selection, {});
+  told = true;
+  return run(selection, "/dev/null");
 }
 
 const StageTable& table() { return table_under_test; }

@@ -23,7 +23,8 @@ struct Totals {
 /// goes to `report`, or to standard output if that is empty.
 Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report = {});
 
-/// The same, where `make` makes the images: a table whose functions run in another process would take an hour over them.
+/// The same of somebody's submission: `make` makes the images, since a table whose functions run in another process would
+/// take an hour over them. Prints a line a test and, of a failed one, its first failure.
 using MakeEngine = std::function<std::unique_ptr<Engine>(const Scene&, const Settings&)>;
 Totals run_tests(const std::string& selection, const StageTable& table, const MakeEngine& make);
 

@@ -6,12 +6,10 @@
 #include "tests/runner.hpp"
 
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <optional>
 #include <ostream>
 #include <random>
-#include <sstream>
 #include <string>
 
 namespace raylab::test {
@@ -67,19 +65,8 @@ inline bool operator==(const std::optional<double>& actual, const Within<double>
 /// A miss, to compare with: CHECK(table().plane_hit(ray, plane) == miss).
 inline constexpr std::nullopt_t miss = std::nullopt;
 
-inline std::string text(double value) {
-  std::ostringstream stream;
-  stream << std::setprecision(17) << value;
-  return stream.str();
-}
-inline std::string text(const Vec3& v) { return "(" + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ")"; }
-
 }  // namespace raylab::test
 
-template <>
-struct Catch::StringMaker<glm::dvec3> {
-  static std::string convert(const glm::dvec3& v) { return raylab::test::text(v); }
-};
 template <>
 struct Catch::StringMaker<std::optional<double>> {
   static std::string convert(const std::optional<double>& t) { return t ? raylab::test::text(*t) : "miss"; }

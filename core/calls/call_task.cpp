@@ -56,23 +56,36 @@ std::vector<std::string> parameter_names(const TaskInfo& task) {
 TaskCaller::TaskCaller(const StageTable& table, const TaskInfo& task)
     : table_(table), task_(task), names_(parameter_names(task)) {}
 
-std::string TaskCaller::call(std::string_view arguments) const {
-  std::string line = "{\"task\":" + json_string(task_.label) + ",\"name\":" + json_string(task_.name) + ",\"result\":";
-  const auto call_and_write = [&]<class Result, class... Parameters>(Result (*function)(Parameters...)) {
+/// Calls visit(result) with what the function gives.
+template <class Visit>
+void TaskCaller::with_result(std::string_view arguments, Visit visit) const {
+  const auto call = [&]<class Result, class... Parameters>(Result (*function)(Parameters...)) {
     if (!function) throw std::runtime_error("task " + std::string(task_.label) + " is not in this implementation");
-    const Result result = call_function(function, names_, parse_json(arguments));
-    PlainJson<Result>::write(line, result, json_number);
-    line += ",\"hex\":";
-    PlainJson<Result>::write(line, result, json_hex_number);
+    visit(call_function(function, names_, parse_json(arguments)));
   };
   try {
-    with_function(table_, task_.label, call_and_write);
+    with_function(table_, task_.label, call);
   } catch (const std::exception&) {
     throw;
   } catch (...) {
     throw std::runtime_error("the function threw something that is no std::exception");
   }
+}
+
+std::string TaskCaller::call(std::string_view arguments) const {
+  std::string line = "{\"task\":" + json_string(task_.label) + ",\"name\":" + json_string(task_.name) + ",\"result\":";
+  with_result(arguments, [&]<class Result>(const Result& result) {
+    PlainJson<Result>::write(line, result, json_number);
+    line += ",\"hex\":";
+    PlainJson<Result>::write(line, result, json_hex_number);
+  });
   return line + '}';
+}
+
+std::string TaskCaller::result(std::string_view arguments) const {
+  std::string text;
+  with_result(arguments, [&]<class Result>(const Result& result) { PlainJson<Result>::write(text, result, json_number); });
+  return text;
 }
 
 CallAnswer TaskCaller::answer(std::string_view arguments) const {

@@ -42,13 +42,19 @@ class TaskCaller {
   /// and what the function throws, as std::runtime_error where it is no std::exception.
   std::string call(std::string_view arguments) const;
 
-  /// The same, where a mistake, or anything that the function throws, is an answer too: {"task":"2.2","error":"..."}.
+  /// The result alone, JSON with decimal numbers. Throws the same.
+  std::string result(std::string_view arguments) const;
+
+  /// As call() does, where a mistake, or anything that the function throws, is an answer too: {"task":"2.2","error":"..."}.
   CallAnswer answer(std::string_view arguments) const;
 
   /// That answer, with the words for the mistake.
   CallAnswer mistake(std::string_view error) const;
 
  private:
+  template <class Visit>
+  void with_result(std::string_view arguments, Visit visit) const;
+
   StageTable table_;
   TaskInfo task_;
   std::vector<std::string> names_;  ///< of the parameters

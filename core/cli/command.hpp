@@ -18,6 +18,7 @@ struct Failure : std::runtime_error {
 // Each adds its command, with its options and help, to the program. A command that is given runs while the command line is
 // parsed, and throws Failure or any other exception if it fails.
 
+void add_new(CLI::App& app);
 void add_render(CLI::App& app);
 void add_sheet(CLI::App& app);
 void add_check_scene(CLI::App& app);
@@ -25,6 +26,7 @@ void add_stages(CLI::App& app);
 void add_call(CLI::App& app);
 void add_test(CLI::App& app);
 void add_diff(CLI::App& app);
+void add_explain(CLI::App& app);
 void add_bench(CLI::App& app);  ///< in builds with engine and oracle
 void add_reference(CLI::App& app);
 void add_doctor(CLI::App& app);

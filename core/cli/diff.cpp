@@ -1,5 +1,7 @@
 #include "core/cli/command.hpp"
 #include "core/cli/engines.hpp"
+#include "core/cli/load_scene.hpp"
+#include "core/cli/watched_render.hpp"
 #include "core/image/data_folder.hpp"
 #include "core/image/diff_patterns.hpp"
 #include "core/image/diff_pictures.hpp"
@@ -10,6 +12,7 @@
 #include "core/references/other_stage.hpp"
 #include "core/report/diff_page.hpp"
 #include "core/report/diff_report.hpp"
+#include "core/submission/worker_engine.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -26,7 +29,8 @@ namespace fs = std::filesystem;
 constexpr ExitCode cannot_compare = wrong_usage;
 
 struct Diff {
-  std::string image;
+  std::string image;  ///< with --with, the scene
+  WithOptions submissions;
   std::string reference;
   std::string scene;
   std::string stage;
@@ -85,6 +89,21 @@ void require_size(const Diff& diff, const Reference& reference, const std::strin
                 cannot_compare);
 }
 
+/// The image that a submission makes of the scene and stage of a reference.
+ImageFile rendered_image(const Diff& diff, const Reference& reference, int stage) {
+  const Manifest manifest = read_manifest(renders() / fs::path(manifest_file).filename());
+  const Scene scene = load_scene(data_folder(scene_of(manifest, diff.scene).sources.front().file));
+  const Settings settings{stage, {reference.value.width, reference.value.height}, scene.max_bounces, {}};
+  const WorkerSetup setup = build_with(diff.submissions, 1, stage);
+  const auto engine = make_worker_engine(scene, settings, setup, thread_count(0), tell_stand_in);
+  Image image(settings.size.width, settings.size.height);
+  const auto sink = [&](int first_row, std::span<const Color> rows) {
+    std::copy(rows.begin(), rows.end(), &image.at(0, first_row));
+  };
+  watched_render(*engine, settings.size, 0, diff.scene, sink);
+  return {std::move(image), NumberFormat::float64};
+}
+
 /// The image to judge, which may be a reference itself.
 ImageFile values_of(const fs::path& path) {
   Reference reference = read_reference(path);
@@ -138,18 +157,25 @@ void write_folder(const fs::path& folder, const DiffTitle& title, const Image& i
 }
 
 /// Returns whether they are the same.
-bool run(const Diff& diff) {
+bool run(Diff diff) {
+  const bool with = !diff.submissions.with.empty();
+  if (with) {
+    if (!diff.reference.empty() || !diff.scene.empty())
+      throw Failure("with --with, name a scene and nothing else: raylab diff scene2 --stage 4 --with DIR", cannot_compare);
+    diff.scene = std::exchange(diff.image, "");
+    for (const std::string& text : diff.submissions.with) diff.image += (diff.image.empty() ? "" : " ") + text;
+  }
   if (diff.reference.empty() == diff.scene.empty())
     throw Failure("name a reference image, or a scene with --scene: one of both", cannot_compare);
   if (diff.scene.empty() && !diff.stage.empty()) throw Failure("--stage goes with --scene", cannot_compare);
   const Chosen chosen = choose(diff);
   require_free_folder(diff, chosen.file);
   const Reference reference = read_reference(chosen.file);
-  require_size(diff, reference, chosen.name);
+  if (!with) require_size(diff, reference, chosen.name);
   if (!std::all_of(reference.value.pixels.begin(), reference.value.pixels.end(), is_finite))
     throw Failure(chosen.file.string() + ": has pixels that are not finite numbers: nothing can be compared with them",
                   cannot_compare);
-  const ImageFile image = values_of(diff.image);
+  const ImageFile image = with ? rendered_image(diff, reference, chosen.stage) : values_of(diff.image);
   Comparison comparison = compare(image.image, image.format, reference);
   comparison.findings = find_patterns(image.image, reference, comparison);
   if (!comparison.same)
@@ -168,7 +194,9 @@ bool run(const Diff& diff) {
 void add_diff(CLI::App& app) {
   CLI::App* command = app.add_subcommand("diff", "Compare an image with a reference, and say how it differs");
   const auto diff = std::make_shared<Diff>();
-  command->add_option("IMAGE", diff->image, "The image to judge: PNG, EXR, TIFF and others")->required();
+  command->add_option("IMAGE", diff->image, "The image to judge: PNG, EXR, TIFF and others; with --with, a scene")
+      ->required();
+  add_with_options(*command, diff->submissions);
   command->add_option("REFERENCE", diff->reference, "Any image of the same size, best one of reference/renders/*/*.exr");
   command->add_option("--scene", diff->scene, "Compare with the checked-in reference of this scene, by name or file");
   command->add_option("--stage", diff->stage, "... at this stage, by name or number; default: the last of all")
@@ -185,7 +213,8 @@ void add_diff(CLI::App& app) {
       "  raylab render scenes/scene3.toml --stage 5 --size 160x120 -o mine.exr\n"
       "  raylab diff mine.exr --scene scene3 --stage 5\n"
       "  raylab diff mine.exr --scene scene3 --stage reflections --out out/diff\n"
-      "  raylab diff mine.png theirs.png --json");
+      "  raylab diff mine.png theirs.png --json\n"
+      "  raylab diff scene2 --stage 4 --with my-lab --out out/diff");
   command->callback([diff] {
     bool same = false;
     try {

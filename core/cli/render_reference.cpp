@@ -18,12 +18,6 @@ constexpr int longer_side = 160;          // of a reference, in pixels
 constexpr int longer_side_picture = 320;  // of the picture for people
 constexpr int last_stage = 7;
 
-ImageSize fitted(ImageSize size, int side) {
-  const int longer = std::max(size.width, size.height);
-  const auto scaled = [&](int pixels) { return std::max(1, (pixels * side + longer / 2) / longer); };
-  return {scaled(size.width), scaled(size.height)};
-}
-
 Settings settings(const Scene& scene, int stage, int side) {
   return {stage, fitted(scene.image, side), scene.max_bounces, {}};
 }

@@ -34,11 +34,14 @@ std::vector<Chosen> chosen_submissions(const WithOptions& options) {
   return all;
 }
 
-WorkerSetup build_with(const WithOptions& options, int first_stage, int last_stage) {
+WorkerSetup build_with(const WithOptions& options, int first_stage, int last_stage, bool stand_in) {
   const auto warn = [](const std::string& text) { std::cerr << text; };
   try {
-    return build_submissions(chosen_submissions(options), first_stage, last_stage, {options.sanitize, error_is_terminal()},
-                             warn);
+    WorkerSetup setup = build_submissions(chosen_submissions(options), first_stage, last_stage, stand_in,
+                                          {options.sanitize, error_is_terminal()}, warn);
+    for (const std::string& text : options.with) setup.with += (setup.with.empty() ? "--with " : " --with ") + text;
+    if (options.sanitize) setup.with += " --sanitize";
+    return setup;
   } catch (const DoesNotCompile& error) {
     std::cerr << error.what();
     throw Failure("this does not compile: the reason stands above, with file and line");

@@ -22,9 +22,9 @@ void add_with_options(CLI::App& command, WithOptions& options);
 /// What --with names. Throws Failure.
 std::vector<Chosen> chosen_submissions(const WithOptions& options);
 
-/// Builds the stages first to last of what --with names. Warnings go to standard error. Throws Failure if something does not
-/// compile, after the compiler's messages.
-WorkerSetup build_with(const WithOptions& options, int first_stage, int last_stage);
+/// Builds the stages first to last of what --with names. stand_in: does the solution answer for what is not written?
+/// Warnings go to standard error. Throws Failure if something does not compile, after the compiler's messages.
+WorkerSetup build_with(const WithOptions& options, int first_stage, int last_stage, bool stand_in = true);
 
 /// Tells the user on standard error that a task is not written and the solution's stands in for it.
 void tell_stand_in(const std::string& what);

@@ -1,5 +1,6 @@
 #include "core/cli/command.hpp"
 #include "core/cli/engines.hpp"
+#include "core/cli/hints.hpp"
 #include "core/cli/watched_render.hpp"
 #include "core/submission/remote_table.hpp"
 #include "core/submission/worker_engine.hpp"
@@ -21,6 +22,7 @@ namespace {
 struct Test {
   std::string selection;
   WithOptions submissions;
+  int hint = 0;
 };
 
 /// The stages that a selection asks for, first to last.
@@ -45,20 +47,32 @@ std::string tag_of(const std::string& selection) {
   }
 }
 
+/// The tasks of what is chosen of submissions, as far as `selection` asks for them.
+std::vector<std::string_view> labels_of(const std::vector<Chosen>& submissions, const std::string& selection) {
+  const auto [first, last] = stages_of(selection);
+  std::vector<std::string_view> labels;
+  for (const TaskInfo& task : task_list()) {
+    const int stage = stage_of(task.label);
+    const auto has_it = [&](const Chosen& chosen) {
+      const std::vector<std::string> tasks = chosen_tasks(chosen, stage);
+      return stage_files(chosen.folder).contains(stage) && std::find(tasks.begin(), tasks.end(), task.label) != tasks.end();
+    };
+    if (stage >= first && stage <= last && (selection.find('.') == std::string::npos || selection == task.label) &&
+        std::any_of(submissions.begin(), submissions.end(), has_it))
+      labels.push_back(task.label);
+  }
+  return labels;
+}
+
 /// The tests of what is chosen of submissions, as far as `selection` asks for it: the unit tests of each task, and of each
 /// stage its images. Without the numerically hard cases, which ask for more than a right answer.
 std::string tags_of(const std::vector<Chosen>& submissions, const std::string& selection) {
-  const auto [first, last] = stages_of(selection);
   const bool one_task = selection.find('.') != std::string::npos;
   std::set<std::string> tags;
-  for (const Chosen& chosen : submissions)
-    for (const auto& [stage, file] : stage_files(chosen.folder)) {
-      if (stage < first || stage > last) continue;
-      const std::vector<std::string> tasks = chosen_tasks(chosen, stage);
-      for (const std::string& task : tasks)
-        if (!one_task || task == selection) tags.insert("[" + task + "]~[hard]");
-      if (!tasks.empty() && !one_task) tags.insert("[stage" + std::to_string(stage) + "][references]");
-    }
+  for (const std::string_view label : labels_of(submissions, selection)) {
+    tags.insert("[" + std::string(label) + "]~[hard]");
+    if (!one_task) tags.insert("[stage" + std::to_string(stage_of(label)) + "][references]");
+  }
   std::string all;
   for (const std::string& tag : tags) all += (all.empty() ? "" : ",") + tag;
   if (all.empty()) throw Failure("--with names nothing of " + selection, wrong_usage);
@@ -68,15 +82,22 @@ std::string tags_of(const std::vector<Chosen>& submissions, const std::string& s
 #ifdef RAYLAB_WITH_TESTS
 test::Totals run(const Test& test) {
   const std::string tag = tag_of(test.selection);
+  if (test.submissions.with.empty() && test.hint > 0) throw Failure("--hint goes with --with", wrong_usage);
   if (test.submissions.with.empty()) return test::run_tests(tag, solution_table());
   const std::vector<Chosen> chosen = chosen_submissions(test.submissions);
   const auto [first, last] = stages_of(test.selection);
-  const WorkerSetup setup = build_with(test.submissions, first, last);
-  const RemoteTable remote(setup);
+  const WorkerSetup setup = build_with(test.submissions, first, last, false);
+  RemoteTable remote(setup);
   const auto images = [&](const Scene& scene, const Settings& settings) {
     return make_worker_engine(scene, settings, setup, thread_count(0), tell_stand_in);
   };
-  return test::run_tests(tags_of(chosen, test.selection), remote.table(), images);
+  const test::Totals totals = test::run_tests(tags_of(chosen, test.selection), remote.table(), images);
+  if (totals.failed > 0) {
+    const AskTask ask = [&](const TaskInfo& task, const std::string& arguments) { return remote.ask(task, arguments); };
+    print_hints(ask, labels_of(chosen, test.selection), test.hint);
+    if (test.hint == 0 && highest_hint() > 0) std::cout << "A hint on what is wrong: the same with --hint 1\n";
+  }
+  return totals;
 }
 #endif
 
@@ -87,12 +108,13 @@ void add_test(CLI::App& app) {
   const auto test = std::make_shared<Test>();
   command->add_option("STAGE|TASK", test->selection, "A stage (5, reflections) or a task (5.1); default: all tests");
   add_with_options(*command, test->submissions);
+  add_hint_option(*command, test->hint);
   command->footer(
       "With --with the tests judge that code: the unit tests of its tasks, and the images of its stages. Its other stages\n"
-      "are the solution's.\n\n"
+      "are the solution's. RAYLAB_HINTS=0 to 3 in the environment says how much --hint may tell.\n\n"
       "Exit code: 0 all passed, 1 some failed, 2 there is no such stage or task.\n\n"
       "Examples:\n  raylab test\n  raylab test 5\n  raylab test 5.1\n  raylab test 5.1 --with my-lab\n"
-      "  raylab test --with my-lab --sanitize");
+      "  raylab test --with my-lab --sanitize\n  raylab test 2 --with my-lab --hint 1");
   command->callback([test] {
 #ifdef RAYLAB_WITH_TESTS
     const test::Totals totals = run(*test);

@@ -48,17 +48,22 @@ Color note_seen(const Seen& seen) {
 
 }  // namespace
 
+StageTable start_recording(const StageTable& table) {
+  Recorder::current().start(table);
+  return routed_table<Recorder>();
+}
+
+std::vector<Event> stop_recording() { return Recorder::current().take(); }
+
 Recording record_pixel(const Scene& scene, const Settings& settings, const StageTable& table, int i, int j) {
-  Recorder& recorder = Recorder::current();
-  recorder.start(table);
-  const StageTable recording = routed_table<Recorder>();
+  const StageTable recording = start_recording(table);
   std::vector<RayFilter> filters = ray_filters(recording, settings.stage);
   filters.push_back(note_seen);
   RayCounts counts;
   const std::atomic<bool> never = false;
   Driver<StageTable> driver(scene, settings, recording, filters, counts, never);
   const Color color = driver.pixel(i, j);
-  return {color, recorder.take()};
+  return {color, stop_recording()};
 }
 
 }  // namespace raylab

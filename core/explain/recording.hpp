@@ -27,6 +27,12 @@ struct Recording {
   std::vector<Event> events;
 };
 
+/// A table that does what `table` does, and of each call writes down what happened. One recording at a time, in one thread.
+StageTable start_recording(const StageTable& table);
+
+/// The events since start_recording().
+std::vector<Event> stop_recording();
+
 /// Computes the pixel in column i from the left and row j from the top with `table`, recording. One thread at a time.
 Recording record_pixel(const Scene& scene, const Settings& settings, const StageTable& table, int i, int j);
 

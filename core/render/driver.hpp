@@ -178,7 +178,8 @@ class Driver {
 
   Color glass(const Hit& hit, const Material& material, int bounce) {
     const GlassBounces both = table_.glass_bounces(sphere_of(hit.leaves.geometry), material.refractive_index, hit);
-    return follow(both.reflected, bounce + 1, counts_.reflected) + follow(both.refracted, bounce + 1, counts_.refracted);
+    const Color reflected = follow(both.reflected, bounce + 1, counts_.reflected);
+    return reflected + follow(both.refracted, bounce + 1, counts_.refracted);
   }
 
   Color follow(const Bounce& next, int bounce, std::uint64_t& count) {

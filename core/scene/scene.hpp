@@ -7,6 +7,7 @@
 #include "core/math/ray.hpp"
 #include "core/math/shapes.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -19,6 +20,13 @@ struct ImageSize {
   int height = 480;
 };
 RAYLAB_FIELDS(ImageSize, RAYLAB_FIELD(width) RAYLAB_FIELD(height))
+
+/// The size of the same shape whose longer side has `side` pixels.
+inline ImageSize fitted(ImageSize size, int side) {
+  const int longer = std::max(size.width, size.height);
+  const auto scaled = [&](int pixels) { return std::max(1, (pixels * side + longer / 2) / longer); };
+  return {scaled(size.width), scaled(size.height)};
+}
 
 struct PlaneObject {
   Plane shape;

@@ -156,7 +156,7 @@ void ChildProcess::wait_for(short events, Clock::time_point deadline, const std:
   for (;;) {
     if (cancel && *cancel) throw Cancelled{};
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) throw ChildSilent("gave no answer in time: a loop without end?");
+    if (left <= 0) throw ChildSilent("gave no answer in time, as in a loop without end");
     pollfd line{channel_, events, 0};
     if (poll(&line, 1, static_cast<int>(std::min<long>(left, 20))) > 0) return;
   }

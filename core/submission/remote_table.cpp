@@ -55,11 +55,11 @@ std::string RemoteTable::ask(const TaskInfo& task, const std::string& arguments)
   } catch (const ChildEnded& error) {
     ++losses;
     worker_.reset();
-    throw std::runtime_error(title(task) + ' ' + error.what() + ". It was asked\n  " + arguments);
+    throw std::runtime_error(title(task) + ' ' + error.what() + ". " + repeated_call(setup_, task.label, arguments));
   } catch (const ChildSilent& error) {
     ++losses;
     worker_.reset();
-    throw std::runtime_error(title(task) + ' ' + error.what() + " It was asked\n  " + arguments);
+    throw std::runtime_error(title(task) + ' ' + error.what() + ". " + repeated_call(setup_, task.label, arguments));
   }
 }
 

@@ -41,7 +41,8 @@ std::map<int, fs::path> stage_files(const fs::path& folder) {
                              " and so on. 'raylab new' makes one");
   std::map<int, fs::path> files;
   for (const StageInfo& stage : stage_list())
-    if (const fs::path file = folder / stage_file(stage.number); fs::is_regular_file(file)) files[stage.number] = file;
+    if (const fs::path file = (folder / stage_file(stage.number)).lexically_normal(); fs::is_regular_file(file))
+      files[stage.number] = file;
   if (!files.empty()) return files;
   std::string names;
   for (const StageInfo& stage : stage_list()) names += " " + stage_file(stage.number);

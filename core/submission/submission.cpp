@@ -8,8 +8,6 @@
 namespace raylab {
 namespace {
 
-std::vector<std::string> tasks_of(int stage) { return chosen_tasks({}, stage); }
-
 /// A file that is being compiled.
 struct Job {
   std::vector<std::string> tasks;
@@ -18,12 +16,8 @@ struct Job {
 
 }  // namespace
 
-WorkerSetup build_submissions(const std::vector<Chosen>& submissions, int first_stage, int last_stage,
+WorkerSetup build_submissions(const std::vector<Chosen>& submissions, int first_stage, int last_stage, bool stand_in,
                               const CompilerOptions& options, const std::function<void(const std::string&)>& warnings) {
-  WorkerSetup setup;
-  for (const StageInfo& stage : stage_list())
-    setup.libraries.push_back({solution_library(stage.number), tasks_of(stage.number)});
-
   const StageCompiler compiler(options);
   std::vector<Job> jobs;
   for (const Chosen& chosen : submissions)
@@ -33,6 +27,15 @@ WorkerSetup build_submissions(const std::vector<Chosen>& submissions, int first_
       const auto build = [&compiler, stage = stage, file = file] { return compiler.build(stage, file); };
       jobs.push_back({std::move(tasks), std::async(std::launch::async, build)});
     }
+
+  WorkerSetup setup;
+  for (const StageInfo& stage : stage_list()) {
+    std::vector<std::string> tasks = chosen_tasks({}, stage.number);
+    if (!stand_in)
+      for (const Job& job : jobs)
+        for (const std::string& task : job.tasks) std::erase(tasks, task);
+    if (!tasks.empty()) setup.libraries.push_back({solution_library(stage.number), tasks});
+  }
 
   std::string mistakes;
   for (Job& job : jobs) try {

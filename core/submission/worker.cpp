@@ -47,16 +47,19 @@ Worker::Worker(const WorkerSetup& setup) : process_(command(setup), setup.enviro
 
 std::string Worker::ask(std::string_view request, std::chrono::milliseconds limit, const Aside& aside,
                         const std::atomic<bool>* cancel) {
-  const auto deadline = Clock::now() + limit;
-  process_.send(request, deadline, cancel);
+  process_.send(request, Clock::now() + limit, cancel);
   for (;;) {
-    const std::string line = process_.receive(deadline, cancel);
+    const std::string line = process_.receive(Clock::now() + limit, cancel);
     const auto [verb, rest] = first_word(line);
     if (verb == "answer") return std::string(rest);
     if (verb == "unwritten") throw NotWritten(text_of(rest));
     if (verb == "failed") throw std::runtime_error(text_of(rest));
     if (aside) aside(verb, rest);
   }
+}
+
+std::string repeated_call(const WorkerSetup& setup, std::string_view label, std::string_view arguments) {
+  return "It was asked\n  raylab call " + std::string(label) + " '" + std::string(arguments) + "' " + setup.with;
 }
 
 std::filesystem::path solution_library(int stage) {

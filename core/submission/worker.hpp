@@ -24,6 +24,7 @@ struct StageLibrary {
 struct WorkerSetup {
   std::vector<StageLibrary> libraries;
   std::vector<std::string> environment;  ///< of the worker, "NAME=VALUE": what a sanitizer needs
+  std::string with;                      ///< what `raylab call` needs to ask the same code: "--with my-lab"
 };
 
 /// A worker process: other people's code, at arm's length. It is sent plain data and sends plain data back.
@@ -33,6 +34,7 @@ class Worker {
   explicit Worker(const WorkerSetup& setup);
 
   /// Sends a request and gives back its answer, JSON. `aside` is told what else it says meanwhile: a verb and the rest.
+  /// limit: how long it may say nothing at all.
   /// Throws NotWritten, and std::runtime_error with what the code threw. Throws ChildEnded and ChildSilent when the process
   /// is lost: this object is of no more use then.
   using Aside = std::function<void(std::string_view verb, std::string_view rest)>;
@@ -42,6 +44,9 @@ class Worker {
  private:
   ChildProcess process_;
 };
+
+/// How somebody repeats a call: "It was asked\n  raylab call 2.2 '{...}' --with my-lab".
+std::string repeated_call(const WorkerSetup& setup, std::string_view label, std::string_view arguments);
 
 /// The compiled solution of a stage, which mixes with a student's stages.
 std::filesystem::path solution_library(int stage);

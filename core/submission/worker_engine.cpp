@@ -10,8 +10,12 @@ namespace raylab {
 namespace {
 
 constexpr int pixels_at_once = 32;
-constexpr std::chrono::milliseconds time_for_pixels{10000};
-constexpr std::chrono::milliseconds time_to_find_call{30000};
+constexpr std::chrono::milliseconds time_for_call{2000};
+
+/// How long a few pixels may take: many times longer than slow code needs, since each of their rays may ask each geometry.
+std::chrono::milliseconds time_for_pixels(const Scene& scene) {
+  return std::chrono::milliseconds(4000 + geometry_count(scene) / 4);
+}
 
 class WorkerEngine final : public Engine {
  public:
@@ -19,6 +23,7 @@ class WorkerEngine final : public Engine {
                std::function<void(const std::string&)> stands_in)
       : settings_(settings),
         setup_(std::move(setup)),
+        limit_(time_for_pixels(scene)),
         scene_request_("scene " + to_json(SceneMessage{scene, settings})),
         stands_in_(std::move(stands_in)) {
     // Here, not in the threads that use them: a worker ends with the thread that has started it.
@@ -59,7 +64,7 @@ class WorkerEngine final : public Engine {
   };
 
   void prepare(Worker& worker) const {
-    worker.ask(scene_request_, time_for_pixels, [this](auto verb, auto rest) { note(verb, rest); });
+    worker.ask(scene_request_, limit_, [this](auto verb, auto rest) { note(verb, rest); });
   }
 
   void note(std::string_view verb, std::string_view rest) const {
@@ -85,7 +90,7 @@ class WorkerEngine final : public Engine {
     const std::string request = "trace " + to_json(wanted);
     try {
       const auto aside = [this](auto verb, auto rest) { note(verb, rest); };
-      return from_json<TraceAnswer>(worker.ask(request, time_for_pixels, aside, &cancel));
+      return from_json<TraceAnswer>(worker.ask(request, limit_, aside, &cancel));
     } catch (const ChildEnded& error) {
       fail_in_call(wanted, error.what(), cancel);
     } catch (const ChildSilent& error) {
@@ -99,11 +104,11 @@ class WorkerEngine final : public Engine {
     try {
       Worker worker(setup_);
       prepare(worker);
-      worker.ask("announce {}", time_for_pixels);
+      worker.ask("announce {}", time_for_call);
       const auto aside = [&](std::string_view verb, std::string_view rest) {
         if (verb == "calling") last = rest;
       };
-      worker.ask("trace " + to_json(pixels), time_to_find_call, aside, &cancel);
+      worker.ask("trace " + to_json(pixels), time_for_call, aside, &cancel);
       last.clear();  // it did not happen again
     } catch (const ChildEnded&) {
     } catch (const ChildSilent&) {
@@ -112,12 +117,13 @@ class WorkerEngine final : public Engine {
                               std::to_string(pixels.column + pixels.pixels - 1) + " of row " + std::to_string(pixels.row);
     if (last.empty()) throw std::runtime_error("the submission " + how + ", at " + where);
     const auto [label, arguments] = first_word(last);
-    throw std::runtime_error("task " + std::string(label) + ' ' + how + ", at " + where + ". It was asked\n  " +
-                             std::string(arguments));
+    throw std::runtime_error("task " + std::string(label) + ' ' + how + ", at " + where + ". " +
+                             repeated_call(setup_, label, arguments));
   }
 
   const Settings settings_;
   const WorkerSetup setup_;
+  const std::chrono::milliseconds limit_;
   const std::string scene_request_;
   const std::function<void(const std::string&)> stands_in_;
   mutable std::mutex mutex_;  // guards what follows

@@ -1,0 +1,99 @@
+#include "core/submission/workspace.hpp"
+
+#include "core/image/data_folder.hpp"
+#include "core/render/stage_table.hpp"
+#include "core/submission/stage_files.hpp"
+
+#include <fstream>
+#include <random>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace raylab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* handbook_docs[] = {"driver.md", "errata.md", "glossary.md", "model.md", "tolerance.md"};
+
+void copy_in(const fs::path& from, const fs::path& to) {
+  if (!fs::exists(from)) throw std::runtime_error(from.string() + ": is missing; install raylab again");
+  fs::create_directories(to.parent_path());
+  fs::copy(from, to, fs::copy_options::recursive);
+}
+
+/// A page of the handbook lies one folder deeper than in the project, beside the scenes and the references.
+void copy_page(const fs::path& from, const fs::path& to) {
+  std::ifstream in(from, std::ios::binary);
+  if (!in) throw std::runtime_error(from.string() + ": is missing; install raylab again");
+  std::ostringstream text;
+  text << in.rdbuf();
+  fs::create_directories(to.parent_path());
+  std::ofstream out(to, std::ios::binary);
+  out << std::regex_replace(text.str(), std::regex("\\.\\./(scenes|reference/renders)"), "../../$1");
+  if (!out.flush()) throw std::runtime_error(to.string() + ": cannot be written");
+}
+
+void add_handbook(const fs::path& handbook) {
+  const fs::path stages = data_folder("stages");
+  copy_page(stages / "README.md", handbook / "stages" / "README.md");
+  copy_in(stages / "figures", handbook / "stages" / "figures");
+  for (const StageInfo& stage : stage_list()) {
+    const fs::path room = handbook / "stages" / stage.folder;
+    copy_page(stages / stage.folder / "README.md", room / "README.md");
+    copy_in(stages / stage.folder / "stage.hpp", room / "stage.hpp");
+  }
+  for (const char* const page : handbook_docs) copy_page(data_folder("docs") / page, handbook / "docs" / page);
+}
+
+void add_solutions(const fs::path& folder, const std::vector<int>& stages) {
+  const fs::path solution = data_folder("reference/solution");
+  if (!stages.empty() && !fs::is_directory(solution))
+    throw std::runtime_error(
+        "--solutions: this raylab holds the solution only compiled; one that is built from the project's "
+        "sources can give it away");
+  for (const int stage : stages) copy_in(solution / stage_file(stage), folder / "solutions" / stage_file(stage));
+}
+
+/// What clangd and other editors' helpers need to know.
+void add_compile_flags(const fs::path& folder) {
+  std::ofstream(folder / "compile_flags.txt") << "-xc++\n-std=c++20\n-Wall\n-DRAYLAB_IMPLEMENTATION=submission\n-I"
+                                              << data_folder("stages").parent_path().string() << '\n';
+}
+
+void fill(const fs::path& folder, const std::vector<int>& solutions) {
+  fs::create_directories(folder);
+  for (const StageInfo& stage : stage_list())
+    copy_in(data_folder("stages") / stage.folder / "starter.cpp", folder / stage_file(stage.number));
+  copy_in(data_folder("stages") / "WORKSPACE.md", folder / "README.md");
+  add_handbook(folder / "handbook");
+  copy_in(data_folder("scenes"), folder / "scenes");
+  copy_in(data_folder("reference/renders"), folder / "reference" / "renders");
+  add_solutions(folder, solutions);
+  add_compile_flags(folder);
+}
+
+}  // namespace
+
+void make_workspace(const fs::path& folder, const std::vector<int>& solutions) {
+  if (fs::exists(folder) && (!fs::is_directory(folder) || !fs::is_empty(folder)))
+    throw std::runtime_error(folder.string() + ": is there already, and not empty: name a new folder");
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  const fs::path target = whole.has_filename() ? whole : whole.parent_path();
+  const fs::path partial = target.parent_path() / (".raylab-new-" + std::to_string(std::random_device{}()));
+  try {
+    fill(partial, solutions);
+    fs::remove(target);  // an empty folder
+    fs::rename(partial, target);
+  } catch (const std::exception&) {
+    std::error_code ignored;
+    fs::remove_all(partial, ignored);
+    throw;
+  }
+}
+
+}  // namespace raylab

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace raylab {
+
+/// Makes `folder`, with a student's seven files to fill in, a README, the handbook, scenes and references: copied from this
+/// raylab's data. It appears whole or not at all.
+/// solutions: the stages whose solution goes into solutions/.
+/// Throws std::runtime_error if the folder exists and is not empty, data are missing, or this raylab holds the solution only
+/// compiled.
+void make_workspace(const std::filesystem::path& folder, const std::vector<int>& solutions);
+
+}  // namespace raylab

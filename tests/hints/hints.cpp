@@ -1,0 +1,128 @@
+#include "tests/hints/hints.hpp"
+
+#include "core/calls/call_task.hpp"
+#include "core/explain/formulas.hpp"
+#include "tests/hints/observed.hpp"
+#include "tests/hints/probes.hpp"
+#include "tests/mistakes/mistakes.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+
+namespace raylab::test {
+namespace {
+
+/// An answer, or what was thrown in its place.
+struct Answer {
+  std::string json;
+  std::string error;
+};
+
+bool alike(const Answer& a, const Answer& b) {
+  if (!a.error.empty() || !b.error.empty()) return !a.error.empty() && !b.error.empty();
+  return answers_agree(a.json, b.json);
+}
+
+template <class Ask>
+std::vector<Answer> answers(const std::vector<std::string>& probes, Ask ask) {
+  std::vector<Answer> all;
+  for (const std::string& arguments : probes) try {
+      all.push_back({ask(arguments), {}});
+    } catch (const std::exception& error) {
+      all.push_back({{}, error.what()});
+    }
+  return all;
+}
+
+std::vector<Answer> answers_of(const StageTable& table, const TaskInfo& task, const std::vector<std::string>& probes) {
+  const TaskCaller caller(table, task);
+  return answers(probes, [&](const std::string& arguments) { return caller.result(arguments); });
+}
+
+bool all_alike(const std::vector<Answer>& a, const std::vector<Answer>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), alike);
+}
+
+StageTable with_mistake(const Mistake& mistake, StageTable table) {
+  mistake.put_into(table);
+  return table;
+}
+
+const TaskInfo& task_of(std::string_view label) {
+  return *std::find_if(task_list().begin(), task_list().end(), [&](const TaskInfo& task) { return task.label == label; });
+}
+
+/// The failing probe that is quickest to work by hand: the shortest.
+const WrongAnswer& simplest(const std::vector<WrongAnswer>& wrong) {
+  return *std::min_element(wrong.begin(), wrong.end(), [](const WrongAnswer& a, const WrongAnswer& b) {
+    return a.arguments.size() + a.wanted.size() < b.arguments.size() + b.wanted.size();
+  });
+}
+
+std::string observed(const TaskInfo& task, const std::vector<WrongAnswer>& wrong, std::size_t probes) {
+  const WrongAnswer& example = simplest(wrong);
+  const std::string pattern = common_pattern(wrong);
+  return std::string(task.name) + " answers " + std::to_string(wrong.size()) + " of " + std::to_string(probes) +
+         " inputs differently." + (pattern.empty() ? "" : " " + pattern) + " For example\n      raylab call " +
+         std::string(task.label) + " '" + example.arguments + "'\n      gives " +
+         (example.error.empty() ? example.got : example.error) + "\n      in place of " + example.wanted;
+}
+
+std::string where_to_look(const TaskInfo& task) {
+  const StageInfo& stage = stage_info(stage_of(task.label));
+  const Formula formula = formula_of(task.label);
+  std::string text =
+      "stages/" + std::string(stage.folder) + "/README.md, " + std::string(task.label) + " " + std::string(task.name);
+  if (!formula.formula.empty())
+    text += ": " + std::string(formula.formula) + " (handout, " + std::string(formula.handout) + ")";
+  return text +
+         ". Work the example by hand beside your code, line by line: which intermediate value is the first to differ?";
+}
+
+}  // namespace
+
+std::vector<Hint> find_hints(const StageTable& solution, const AskTask& ask, const std::vector<std::string_view>& labels) {
+  const Probes probes = find_probes(solution, labels);
+  std::vector<Hint> hints;
+  std::vector<StageTable> named;  // tables with the mistakes that have been named
+  for (const std::string_view label : labels) {
+    const TaskInfo& task = task_of(label);
+    const std::vector<std::string>& inputs = probes.at(label);
+    const std::vector<Answer> wanted = answers_of(solution, task, inputs);
+    const std::vector<Answer> got = answers(inputs, [&](const std::string& arguments) { return ask(task, arguments); });
+    std::vector<WrongAnswer> wrong;
+    for (std::size_t k = 0; k < inputs.size(); ++k)
+      if (!alike(wanted[k], got[k])) wrong.push_back({inputs[k], wanted[k].json, got[k].json, got[k].error});
+    const auto has_answer = [](const Answer& answer) { return answer.error.empty(); };
+    if (wrong.empty() || std::none_of(got.begin(), got.end(), has_answer)) continue;
+    // What an earlier task's mistake brings along is no mistake of this task.
+    const auto explains = [&](const StageTable& table) { return all_alike(answers_of(table, task, inputs), got); };
+    if (std::any_of(named.begin(), named.end(), explains)) continue;
+
+    Hint hint{&task, observed(task, wrong, inputs.size()), where_to_look(task), {}};
+    for (const Mistake& mistake : known_mistakes()) {
+      if (mistake.task != label || mistake.shows == Shows::nowhere) continue;
+      const StageTable table = with_mistake(mistake, solution);
+      if (!explains(table)) continue;
+      hint.mistake += (hint.mistake.empty() ? "" : ", or: ") + std::string(mistake.name);
+      named.push_back(table);
+    }
+    hints.push_back(hint);
+  }
+  return hints;
+}
+
+std::string hints_text(const std::vector<Hint>& hints, int level) {
+  std::string text;
+  for (const Hint& hint : hints) {
+    text += "Hint on " + std::string(hint.task->label) + ' ' + std::string(hint.task->name) +
+            "\n  1 observed: " + hint.observed + '\n';
+    if (level >= 2) text += "  2 look at: " + hint.look + '\n';
+    if (level >= 3)
+      text += "  3 mistake: " + (hint.mistake.empty() ? "none that is known answers like this" : hint.mistake) + '\n';
+  }
+  return text;
+}
+
+}  // namespace raylab::test
