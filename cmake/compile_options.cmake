@@ -17,3 +17,8 @@ target_compile_options(
             # False alarms of g++ 12: wherever two strings are added (GCC bug 105329), and inside Boost.Multiprecision.
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>
             $<$<BOOL:${RAYLAB_WERROR}>:-Werror>)
+
+# raylab_unhurried(TARGET): nothing in it runs long, and with the sanitizers' checks it takes twice as long to optimise as to compile.
+function(raylab_unhurried target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0>)
+endfunction()
