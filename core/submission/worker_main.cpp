@@ -87,7 +87,7 @@ class Guard {
         if (tasks.own.*member) return (tasks.own.*member)(arguments...);
         throw missing(task);
       } catch (const NotWritten& error) {
-        if (!(tasks.fallback.*member)) throw;
+        if (!(tasks.fallback.*member) || tasks.fallback.*member == tasks.own.*member) throw;
         channel->send("stands-in " + json_string(error.what()));
         unwritten = true;
       }
