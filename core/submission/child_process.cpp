@@ -96,7 +96,7 @@ std::string ending(int status) {
     case SIGFPE:
       return "crashed: a whole number divided by zero";
     case SIGABRT:
-      return "crashed: abort, as after a failed assertion";
+      return "crashed: abort, as after a failed assertion or what a sanitizer has found";
     case SIGILL:
       return "crashed: an impossible instruction, as at the end of a function without a return";
     case SIGKILL:
