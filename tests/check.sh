@@ -13,6 +13,16 @@ check() {
   fi
 }
 
+# run CODE ARGUMENT...: runs $program; its exit code must be CODE. What it prints goes to the files stdout and stderr.
+run() {
+  local code=$1 got=0; shift
+  "$program" "$@" >stdout 2>stderr </dev/null || got=$?
+  check "exit code $got, wanted $code: raylab $*" test "$got" = "$code"
+}
+prints() { check "standard output says: $1" grep -qF -- "$1" stdout; }
+says() { check "standard error says: $1" grep -qF -- "$1" stderr; }
+silent() { check 'standard error is silent' test ! -s stderr; }
+
 # The last line of a test script: its totals, and its exit code.
 report_checks() {
   printf '%d passed, %d failed\n' $passed $failed

@@ -8,15 +8,6 @@ scenes=$(realpath "$2")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
-# run CODE ARGUMENT...: runs the program; its exit code must be CODE. What it prints goes to the files stdout and stderr.
-run() {
-  local code=$1 got=0; shift
-  "$program" "$@" >stdout 2>stderr </dev/null || got=$?
-  check "exit code $got, wanted $code: raylab $*" test "$got" = "$code"
-}
-prints() { check "standard output says: $1" grep -qF -- "$1" stdout; }
-says() { check "standard error says: $1" grep -qF -- "$1" stderr; }
-silent() { check 'standard error is silent' test ! -s stderr; }
 
 cat >good.toml <<'TOML'
 [camera]

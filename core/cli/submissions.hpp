@@ -12,7 +12,7 @@ namespace raylab::cli {
 
 /// Whose code takes part: the options --with and --sanitize.
 struct WithOptions {
-  std::vector<std::string> with;  ///< "DIR", "DIR:4,5.1"; a later one wins
+  std::vector<std::string> with;  ///< "DIR", "DIR:1-4,5.1"; a later one wins
   bool sanitize = false;
 };
 

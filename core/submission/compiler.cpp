@@ -189,7 +189,8 @@ std::vector<std::string> StageCompiler::worker_environment() const {
       throw std::runtime_error("--sanitize: " + command_.front() + " has no " + runtime + ": use g++, by CXX=g++");
     preload += (preload.empty() ? "" : ":") + path;
   }
-  return {"LD_PRELOAD=" + preload, "ASAN_OPTIONS=detect_leaks=0:print_legend=0:abort_on_error=1", "UBSAN_OPTIONS=print_stacktrace=1:abort_on_error=1"};
+  return {"LD_PRELOAD=" + preload, "ASAN_OPTIONS=detect_leaks=0:print_legend=0:abort_on_error=1",
+          "UBSAN_OPTIONS=print_stacktrace=1:abort_on_error=1"};
 }
 
 }  // namespace raylab

@@ -11,8 +11,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// selection: a task, "5.1", a stage, "4", or stages, "1-3".
 bool selects(const std::string& selection, const TaskInfo& task) {
-  return selection == task.label || selection == std::to_string(stage_of(task.label));
+  const std::size_t dash = selection.find('-');
+  const std::string stage = std::to_string(stage_of(task.label));
+  if (dash == std::string::npos) return selection == task.label || selection == stage;
+  const std::string first = selection.substr(0, dash), last = selection.substr(dash + 1);
+  const auto is_number = [](const std::string& text) {
+    return !text.empty() && text.size() <= 2 && text.find_first_not_of("0123456789") == text.npos;
+  };
+  return is_number(first) && is_number(last) && std::stoi(first) <= stage_of(task.label) &&
+         stage_of(task.label) <= std::stoi(last);
 }
 
 }  // namespace

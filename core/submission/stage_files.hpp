@@ -10,7 +10,7 @@ namespace raylab {
 /// A submission, as `--with` names it: a directory, and which of its stages and tasks count.
 struct Chosen {
   std::filesystem::path folder;
-  std::vector<std::string> selections;  ///< "4", "5.1"; none: all
+  std::vector<std::string> selections;  ///< "4", "5.1", "1-3"; none: all
 };
 
 /// "my-lab", or "my-lab:4,5.1". Throws std::invalid_argument if there is no such stage or task.

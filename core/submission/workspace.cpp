@@ -26,28 +26,33 @@ void copy_in(const fs::path& from, const fs::path& to) {
   fs::copy(from, to, fs::copy_options::recursive);
 }
 
-/// A page of the handbook lies one folder deeper than in the project, beside the scenes and the references.
-void copy_page(const fs::path& from, const fs::path& to) {
+/// A page whose links are changed to where things lie in a workspace.
+void copy_page(const fs::path& from, const fs::path& to, const char* links, const char* changed) {
   std::ifstream in(from, std::ios::binary);
   if (!in) throw std::runtime_error(from.string() + ": is missing; install raylab again");
   std::ostringstream text;
   text << in.rdbuf();
   fs::create_directories(to.parent_path());
   std::ofstream out(to, std::ios::binary);
-  out << std::regex_replace(text.str(), std::regex("\\.\\./(scenes|reference/renders)"), "../../$1");
+  out << std::regex_replace(text.str(), std::regex(links), changed);
   if (!out.flush()) throw std::runtime_error(to.string() + ": cannot be written");
+}
+
+/// The handbook lies one folder deeper than its pages in the project, beside scenes and references.
+void copy_to_handbook(const fs::path& from, const fs::path& to) {
+  copy_page(from, to, "\\.\\./(scenes|reference/renders)", "../../$1");
 }
 
 void add_handbook(const fs::path& handbook) {
   const fs::path stages = data_folder("stages");
-  copy_page(stages / "README.md", handbook / "stages" / "README.md");
+  copy_to_handbook(stages / "README.md", handbook / "stages" / "README.md");
   copy_in(stages / "figures", handbook / "stages" / "figures");
   for (const StageInfo& stage : stage_list()) {
     const fs::path room = handbook / "stages" / stage.folder;
-    copy_page(stages / stage.folder / "README.md", room / "README.md");
+    copy_to_handbook(stages / stage.folder / "README.md", room / "README.md");
     copy_in(stages / stage.folder / "stage.hpp", room / "stage.hpp");
   }
-  for (const char* const page : handbook_docs) copy_page(data_folder("docs") / page, handbook / "docs" / page);
+  for (const char* const page : handbook_docs) copy_to_handbook(data_folder("docs") / page, handbook / "docs" / page);
 }
 
 void add_solutions(const fs::path& folder, const std::vector<int>& stages) {
@@ -65,6 +70,14 @@ void add_compile_flags(const fs::path& folder) {
                                               << data_folder("stages").parent_path().string() << '\n';
 }
 
+void add_references(const fs::path& folder) {
+  const fs::path renders = data_folder("reference/renders");
+  copy_in(renders, folder / "reference" / "renders");
+  const fs::path page = folder / "reference" / "renders" / "README.md";
+  fs::remove(page);
+  copy_page(renders / "README.md", page, "\\.\\./docs/", "../handbook/docs/");
+}
+
 void fill(const fs::path& folder, const std::vector<int>& solutions) {
   fs::create_directories(folder);
   for (const StageInfo& stage : stage_list())
@@ -72,7 +85,7 @@ void fill(const fs::path& folder, const std::vector<int>& solutions) {
   copy_in(data_folder("stages") / "WORKSPACE.md", folder / "README.md");
   add_handbook(folder / "handbook");
   copy_in(data_folder("scenes"), folder / "scenes");
-  copy_in(data_folder("reference/renders"), folder / "reference" / "renders");
+  add_references(folder);
   add_solutions(folder, solutions);
   add_compile_flags(folder);
 }
