@@ -25,7 +25,7 @@ std::optional<double> number_of(const JsonValue& json) {
 
 bool close(double a, double b, double tolerance) {
   if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
-  return a == b || std::abs(a - b) <= tolerance * std::max(1.0, std::abs(a));
+  return a == b || (std::isfinite(a) && std::abs(a - b) <= tolerance * std::max(1.0, std::abs(a)));
 }
 
 bool agree(const JsonValue& wanted, const JsonValue& got, double tolerance);
