@@ -41,7 +41,7 @@ void print_hints([[maybe_unused]] const AskTask& ask, [[maybe_unused]] const std
               << " (RAYLAB_HINTS)\n";
   if (allowed == 0) return;
 #ifdef RAYLAB_WITH_TESTS
-  const std::vector<test::Hint> hints = test::find_hints(solution_table(), ask, labels);
+  const std::vector<test::Hint> hints = test::find_hints(solution_table(), ask, test::find_probes(solution_table(), labels));
   std::cout << '\n'
             << (hints.empty() ? "No hint: every task answers as the solution does.\n" : test::hints_text(hints, allowed));
 #else

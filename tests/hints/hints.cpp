@@ -1,44 +1,14 @@
 #include "tests/hints/hints.hpp"
 
-#include "core/calls/call_task.hpp"
 #include "core/explain/formulas.hpp"
 #include "tests/hints/observed.hpp"
-#include "tests/hints/probes.hpp"
 #include "tests/mistakes/mistakes.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <optional>
 
 namespace raylab::test {
 namespace {
-
-/// An answer, or what was thrown in its place.
-struct Answer {
-  std::string json;
-  std::string error;
-};
-
-bool alike(const Answer& a, const Answer& b) {
-  if (!a.error.empty() || !b.error.empty()) return !a.error.empty() && !b.error.empty();
-  return answers_agree(a.json, b.json);
-}
-
-template <class Ask>
-std::vector<Answer> answers(const std::vector<std::string>& probes, Ask ask) {
-  std::vector<Answer> all;
-  for (const std::string& arguments : probes) try {
-      all.push_back({ask(arguments), {}});
-    } catch (const std::exception& error) {
-      all.push_back({{}, error.what()});
-    }
-  return all;
-}
-
-std::vector<Answer> answers_of(const StageTable& table, const TaskInfo& task, const std::vector<std::string>& probes) {
-  const TaskCaller caller(table, task);
-  return answers(probes, [&](const std::string& arguments) { return caller.result(arguments); });
-}
 
 bool all_alike(const std::vector<Answer>& a, const std::vector<Answer>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), alike);
@@ -82,22 +52,20 @@ std::string where_to_look(const TaskInfo& task) {
 
 }  // namespace
 
-std::vector<Hint> find_hints(const StageTable& solution, const AskTask& ask, const std::vector<std::string_view>& labels) {
-  const Probes probes = find_probes(solution, labels);
+std::vector<Hint> find_hints(const StageTable& solution, const AskTask& ask, const Probes& probes) {
   std::vector<Hint> hints;
   std::vector<StageTable> named;  // tables with the mistakes that have been named
-  for (const std::string_view label : labels) {
+  for (const auto& [label, inputs] : probes) {
     const TaskInfo& task = task_of(label);
-    const std::vector<std::string>& inputs = probes.at(label);
-    const std::vector<Answer> wanted = answers_of(solution, task, inputs);
-    const std::vector<Answer> got = answers(inputs, [&](const std::string& arguments) { return ask(task, arguments); });
+    const std::vector<Answer> wanted = answers(task, inputs, solution);
+    const std::vector<Answer> got = answers(task, inputs, ask);
     std::vector<WrongAnswer> wrong;
     for (std::size_t k = 0; k < inputs.size(); ++k)
       if (!alike(wanted[k], got[k])) wrong.push_back({inputs[k], wanted[k].json, got[k].json, got[k].error});
     const auto has_answer = [](const Answer& answer) { return answer.error.empty(); };
     if (wrong.empty() || std::none_of(got.begin(), got.end(), has_answer)) continue;
     // What an earlier task's mistake brings along is no mistake of this task.
-    const auto explains = [&](const StageTable& table) { return all_alike(answers_of(table, task, inputs), got); };
+    const auto explains = [&](const StageTable& table) { return all_alike(answers(task, inputs, table), got); };
     if (std::any_of(named.begin(), named.end(), explains)) continue;
 
     Hint hint{&task, observed(task, wrong, inputs.size()), where_to_look(task), {}};

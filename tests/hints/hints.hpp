@@ -1,10 +1,9 @@
 #pragma once
 
 #include "core/explain/first_difference.hpp"
+#include "tests/hints/probes.hpp"
 
-#include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace raylab::test {
@@ -18,8 +17,9 @@ struct Hint {
 };
 
 /// The hints on tasks that answer some probe differently from the solution. A known mistake is named where all answers are
-/// as it gives them; one in a task that others build on is named once. labels: the tasks to ask about, in order.
-std::vector<Hint> find_hints(const StageTable& solution, const AskTask& ask, const std::vector<std::string_view>& labels);
+/// as it gives them; one in a task that others build on is named once. probes: find_probes()'s; their tasks are asked about,
+/// in order.
+std::vector<Hint> find_hints(const StageTable& solution, const AskTask& ask, const Probes& probes);
 
 /// The hints as text, up to this level.
 std::string hints_text(const std::vector<Hint>& hints, int level);
