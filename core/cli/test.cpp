@@ -80,6 +80,16 @@ std::string tags_of(const std::vector<Chosen>& submissions, const std::string& s
 }
 
 #ifdef RAYLAB_WITH_TESTS
+/// Those of the tasks whose own tests failed, whose names begin with the label; all if none did, but an image.
+std::vector<std::string_view> failed_tasks(const std::vector<std::string_view>& labels, const test::Totals& totals) {
+  std::vector<std::string_view> failed;
+  for (const std::string_view label : labels)
+    if (std::any_of(totals.failures.begin(), totals.failures.end(),
+                    [&](const std::string& test) { return test.starts_with(std::string(label) + " "); }))
+      failed.push_back(label);
+  return failed.empty() ? labels : failed;
+}
+
 test::Totals run(const Test& test) {
   const std::string tag = tag_of(test.selection);
   if (test.submissions.with.empty() && test.hint > 0) throw Failure("--hint goes with --with", wrong_usage);
@@ -94,7 +104,7 @@ test::Totals run(const Test& test) {
   const test::Totals totals = test::run_tests(tags_of(chosen, test.selection), remote.table(), images);
   if (totals.failed > 0) {
     const AskTask ask = [&](const TaskInfo& task, const std::string& arguments) { return remote.ask(task, arguments); };
-    print_hints(ask, labels_of(chosen, test.selection), test.hint);
+    print_hints(ask, failed_tasks(labels_of(chosen, test.selection), totals), test.hint);
     if (test.hint == 0 && highest_hint() > 0) std::cout << "A hint on what is wrong: the same with --hint 1\n";
   }
   return totals;

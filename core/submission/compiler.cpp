@@ -6,10 +6,12 @@
 #include "core/submission/child_process.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <system_error>
 #include <vector>
 
 namespace raylab {
@@ -33,6 +35,14 @@ fs::path cache_folder() {
   if (const std::string cache = variable("XDG_CACHE_HOME"); !cache.empty()) return fs::path(cache) / "raylab";
   if (const std::string home = variable("HOME"); !home.empty()) return fs::path(home) / ".cache" / "raylab";
   return fs::temp_directory_path() / "raylab-cache";
+}
+
+/// Removes from a folder of the cache what nobody has made anew for a month.
+void forget_old(const fs::path& folder) {
+  const auto limit = fs::file_time_type::clock::now() - std::chrono::hours(24 * 30);
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.last_write_time(ignored) < limit) fs::remove_all(entry.path(), ignored);
 }
 
 std::string content(const fs::path& path) {
@@ -94,6 +104,7 @@ const char* const common_headers = R"(#include "core/math/camera.hpp"
 #include "core/math/vec3.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -128,8 +139,11 @@ StageCompiler::StageCompiler(const CompilerOptions& options) : options_(options)
   const Finished version = run_program({command_.front(), "--version"});
   if (!version.good)
     throw std::runtime_error(command_.front() + ": is no C++ compiler that runs here; install one (g++), or name it in CXX");
-  folder_ = cache_folder() / hash(joined(command_) + version.output + contracts());
+  const fs::path cache = cache_folder();
+  forget_old(cache);
+  folder_ = cache / hash(joined(command_) + version.output + contracts());
   fs::create_directories(folder_);
+  forget_old(folder_);
 }
 
 /// A file of the cache that the compiler makes, with these arguments, if it is not there yet.

@@ -55,7 +55,9 @@ std::string where_to_look(const TaskInfo& task) {
 std::vector<Hint> find_hints(const StageTable& solution, const AskTask& ask, const Probes& probes) {
   std::vector<Hint> hints;
   std::vector<StageTable> named;  // tables with the mistakes that have been named
-  for (const auto& [label, inputs] : probes) {
+  for (const auto& of_task : probes) {
+    const std::string_view label = of_task.first;
+    const std::vector<std::string>& inputs = of_task.second;
     const TaskInfo& task = task_of(label);
     const std::vector<Answer> wanted = answers(task, inputs, solution);
     const std::vector<Answer> got = answers(task, inputs, ask);
