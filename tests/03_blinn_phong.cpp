@@ -13,13 +13,17 @@ const Color copper(0.8, 0.4, 0.2);
 /// k_s as the handout prints it, for values where that loses no digits.
 double printed_weight(double alpha) { return (1 - std::exp(-alpha / 200)) / (1 + std::exp(-alpha / 200)); }
 
+/// How large a number would have to be, of which a rounding spoils as much as the highlight of this shininess has of H.N's:
+/// the power multiplies what H.N is wrong by with alpha. H.N has few roundings, at most 8, and 64 are allowed.
+double highlight_size(double alpha) { return std::max(1.0, alpha / 8); }
+
 Material opaque(const Color& color, double shininess) { return {color, shininess, false, 1.5}; }
 
 }  // namespace
 
 TEST_CASE("3.1 specular_weight: is 0 for matte, 1 for a perfect mirror", "[stage3][3.1]") {
-  CHECK(table().specular_weight(0) == 0);
-  CHECK(table().specular_weight(infinity) == 1);
+  CHECK(table().specular_weight(0) == within(0, 0.0));
+  CHECK(table().specular_weight(infinity) == within(0, 1.0));
 }
 
 TEST_CASE("3.1 specular_weight: is the handout's formula", "[stage3][3.1]") {
@@ -31,8 +35,8 @@ TEST_CASE("3.1 specular_weight: grows with shininess and stays within 0 to 1", "
   double last = 0;
   for (double alpha = 0.001; alpha < 1e6; alpha *= 1.5) {
     const double k_s = table().specular_weight(alpha);
-    CHECK(k_s >= last);
-    CHECK(k_s <= 1);
+    CHECK(k_s >= last - allowed(0));
+    CHECK(k_s <= 1 + allowed(0));
     last = k_s;
   }
 }
@@ -46,7 +50,8 @@ TEST_CASE("3.2 blinn_phong: a matte surface shows the cosine", "[stage3][3.2]") 
 }
 
 TEST_CASE("3.2 blinn_phong: light and viewer along the normal give the full highlight", "[stage3][3.2]") {
-  CHECK(table().blinn_phong(up, up, up, 1, copper, 1000) == within(1e-15, (1 + printed_weight(1000)) * copper));
+  CHECK(table().blinn_phong(up, up, up, 1, copper, 1000) ==
+        within(1e-15, (1 + printed_weight(1000)) * copper, highlight_size(1000)));
 }
 
 TEST_CASE("3.2 blinn_phong: the highlight follows the half vector", "[stage3][3.2]") {
@@ -54,7 +59,12 @@ TEST_CASE("3.2 blinn_phong: the highlight follows the half vector", "[stage3][3.
   const auto at = [](double degrees) { return Vec3(std::sin(degrees * pi / 180), std::cos(degrees * pi / 180), 0); };
   for (const double alpha : {5.0, 50.0, 400.0}) {
     const double expected = std::cos(20 * pi / 180) + printed_weight(alpha) * std::pow(std::cos(20 * pi / 180), alpha);
-    CHECK(table().blinn_phong(at(-20), up, at(60), 1, Color(1), alpha) == within(1e-13, Color(expected)));
+    CHECK(table().blinn_phong(at(-20), up, at(60), 1, Color(1), alpha) ==
+          within(1e-13, Color(expected), highlight_size(alpha)));
+    // Where neither L nor V leans as far as H does.
+    const double other = std::cos(50 * pi / 180) + printed_weight(alpha) * std::pow(std::cos(15 * pi / 180), alpha);
+    CHECK(table().blinn_phong(at(50), up, at(-20), 1, Color(1), alpha) ==
+          within(1e-13, Color(other), highlight_size(alpha)));
   }
 }
 
@@ -65,8 +75,10 @@ TEST_CASE("3.2 blinn_phong: is the same with light and viewer exchanged, but for
     const double alpha = random.between(1, 300);
     const Color there = table().blinn_phong(l, n, v, 1, copper, alpha) - dot(l, n) * copper;
     const Color back = table().blinn_phong(v, n, l, 1, copper, alpha) - dot(v, n) * copper;
-    CHECK(there == within(1e-13, back));
-    CHECK(there.r >= -1e-15);
+    // H is L + V divided by its length: the shorter that is, the more is it wrong by.
+    const double size = highlight_size(alpha) / std::min(1.0, length(l + v));
+    CHECK(there == within(1e-13, back, size));
+    CHECK(there.r >= -allowed(1e-15, size));
   }
 }
 
@@ -75,6 +87,12 @@ TEST_CASE("3.2 blinn_phong: a light below the surface gives no diffuse light", "
   CHECK(table().blinn_phong(-up, up, up, 1, copper, 0) == Color(0));
   CHECK(table().blinn_phong(unit(Vec3(1, -1, 0)), up, unit(Vec3(1, 0.5, 0)), 1, copper, 0) == Color(0));
   CHECK(table().blinn_phong(unit(Vec3(1, -2, 0)), up, unit(Vec3(1, 1, 0)), 1, copper, 50) == Color(0));
+  const Vec3 below = unit(Vec3(1, -0.2, 0));
+  const Color none = table().blinn_phong(below, up, up, 1, copper, 0),
+              some = table().blinn_phong(below, up, up, 1, copper, 5);
+  CHECK(none == Color(0));
+  if (some != Color(0))
+    CHECK(some == within(1e-13, printed_weight(5) * std::pow(dot(unit(below + up), up), 5) * copper, highlight_size(5)));
 }
 
 TEST_CASE("3.2 blinn_phong: a light opposite the viewer is black, not undefined", "[stage3][3.2]") {
@@ -96,7 +114,7 @@ TEST_CASE("3.3 point_light: weakens with one plus the distance, squared", "[stag
   const Material matte = opaque(copper, 0);
   for (const double r : {0.001, 1.0, 3.0, 99.0})
     CHECK(table().point_light({{5, 1 + r, 0}, 8}, {5, 1, 0}, up, up, matte) ==
-          within(1e-14, 8 / ((1 + r) * (1 + r)) * copper));
+          within(1e-14, 8 / ((1 + r) * (1 + r)) * copper, 0));
 }
 
 TEST_CASE("3.3 point_light: shines along the unit vector to the light", "[stage3][3.3]") {
@@ -111,17 +129,19 @@ TEST_CASE("3.3 point_light: is black below the surface, and where the light is a
 
 TEST_CASE("3.3 point_light: has the highlight of its material's shininess", "[stage3][3.3]") {
   CHECK(table().point_light({{0, 1, 0}, 4}, {0, 0, 0}, up, up, opaque(copper, 300)) ==
-        within(1e-15, (1 + printed_weight(300)) * copper));
+        within(1e-15, (1 + printed_weight(300)) * copper, highlight_size(300)));
 }
 
 TEST_CASE("3.3 point_light: the highlight stands where the viewer sees the light mirrored", "[stage3][3.3]") {
   // Light and viewer lean by the same angle to either side of the normal, so that H = N.
   CHECK(table().point_light({{0.6, 0.8, 0}, 4}, {0, 0, 0}, up, {-0.6, 0.8, 0}, opaque(copper, 300)) ==
-        within(1e-12, (0.8 + printed_weight(300)) * copper));
+        within(1e-12, (0.8 + printed_weight(300)) * copper, highlight_size(300)));
 }
 
-TEST_CASE("3.4 directional_light: travels along its direction, of any length, and does not weaken", "[stage3][3.4]") {
-  for (const double size : {1e-150, 1.0, 25.0, 1e200}) {
+namespace {
+
+void check_directions(std::initializer_list<double> sizes) {
+  for (const double size : sizes) {
     CHECK(table().directional_light({{0, -size, 0}, 0.5}, up, up, opaque(copper, 0)) == within(1e-15, 0.5 * copper));
     CHECK(table().directional_light({{3 * size, -4 * size, 0}, 1}, up, up, opaque(copper, 0)) ==
           within(1e-15, 0.8 * copper));
@@ -129,14 +149,24 @@ TEST_CASE("3.4 directional_light: travels along its direction, of any length, an
   }
 }
 
+}  // namespace
+
+TEST_CASE("3.4 directional_light: travels along its direction, of any length, and does not weaken", "[stage3][3.4]") {
+  check_directions({0.01, 1, 25, 1000});
+}
+
+TEST_CASE("3.4 directional_light: the direction may be 1e-150 or 1e200 long", "[stage3][3.4][hard]") {
+  check_directions({1e-150, 1e200});
+}
+
 TEST_CASE("3.4 directional_light: has the highlight of its material's shininess", "[stage3][3.4]") {
   CHECK(table().directional_light({{0, -2, 0}, 0.5}, up, up, opaque(copper, 300)) ==
-        within(1e-15, 0.5 * (1 + printed_weight(300)) * copper));
+        within(1e-15, 0.5 * (1 + printed_weight(300)) * copper, highlight_size(300)));
 }
 
 TEST_CASE("3.4 directional_light: the highlight stands where the viewer sees the light mirrored", "[stage3][3.4]") {
   CHECK(table().directional_light({{-3, -4, 0}, 0.5}, up, {-0.6, 0.8, 0}, opaque(copper, 300)) ==
-        within(1e-12, 0.5 * (0.8 + printed_weight(300)) * copper));
+        within(1e-12, 0.5 * (0.8 + printed_weight(300)) * copper, highlight_size(300)));
 }
 
 TEST_CASE("3.5 ambient_light: is intensity times color, whatever the shininess", "[stage3][3.5]") {

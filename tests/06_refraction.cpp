@@ -30,13 +30,30 @@ double printed_schlick(double cosine, double n) {
 
 const Sphere ball{{1, -2, 3}, 2};
 
+/// Of a ray that arrives with direction d at a surface with normal n: what angles lose. The numbers on the way are up to 5
+/// large, the exit point's. acos() divides what it is given wrong by the sine, asin() by the cosine: of theta_1 in air and
+/// of theta_2 in the glass.
+double size_by_angles(const Vec3& d, const Vec3& n, double index) {
+  const double cos_1 = std::abs(dot(d, n)), sin_1 = std::sqrt(std::max(0.0, 1 - cos_1 * cos_1));
+  const double sin_2 = std::min(1.0, sin_1 / index), cos_2 = std::sqrt(1 - sin_2 * sin_2);
+  return 5 / std::max(1e-3, std::min({cos_1, sin_1, sin_2, cos_2}));
+}
+
+/// Total reflection that rounding alone brings about is an accepted variant, and no light may come through then: where
+/// n sin(phi_1) is wrong by up to 2e-4, as it is in float for index 10, it can pass 1 at cosines below 0.02.
+bool may_round_to_total_reflection(const Vec3& d, const Vec3& n) {
+  return judging_submission() && std::abs(dot(d, n)) < 0.02;
+}
+
+Hit at_sine(double sine) { return hit_at(ball, {0, 1, 0}, {sine, -std::sqrt(1 - sine * sine), 0}); }
+
 }  // namespace
 
 TEST_CASE("6.1 through_sphere: through the centre goes straight on, whatever the glass", "[stage6][6.1]") {
   for (const double n : {0.5, 1.0, 1.5, 3.0}) {
     const std::optional<Ray> exit = table().through_sphere(ball, n, hit_at(ball, {0, 0, -1}, {0, 0, 1}));
     REQUIRE(exit.has_value());
-    CHECK(exit->origin == within(1e-15, Vec3(1, -2, 5)));
+    CHECK(exit->origin == start_at({1, -2, 5}, exit->direction, 1e-15));
     CHECK(exit->direction == within(1e-15, Vec3(0, 0, 1)));
   }
 }
@@ -49,8 +66,9 @@ TEST_CASE("6.1 through_sphere: glass of index 1 is air", "[stage6][6.1]") {
     const Hit hit = hit_at(ball, n, d);
     const std::optional<Ray> exit = table().through_sphere(ball, 1, hit);
     REQUIRE(exit.has_value());
-    CHECK(exit->direction == within(1e-13, d));
-    CHECK(exit->origin == within(1e-13, hit.point - 2 * ball.radius * dot(d, n) * d));
+    const double size = size_by_angles(d, n, 1);
+    CHECK(exit->direction == within(1e-13, d, size));
+    CHECK(exit->origin == start_at(hit.point - 2 * ball.radius * dot(d, n) * d, exit->direction, 1e-13, size));
   }
 }
 
@@ -64,9 +82,29 @@ TEST_CASE("6.1 through_sphere: is Snell's law at both surfaces", "[stage6][6.1]"
     const std::optional<Ray> exit = table().through_sphere(ball, index, hit);
     const Ray expected = by_angles(ball, index, hit);
     REQUIRE(exit.has_value());
-    CHECK(exit->origin == within(1e-12, expected.origin));
-    CHECK(exit->direction == within(1e-12, expected.direction));
+    const double size = size_by_angles(d, n, index);
+    CHECK(exit->origin == start_at(expected.origin, exit->direction, 1e-12, size));
+    CHECK(exit->direction == within(1e-12, expected.direction, size));
   }
+}
+
+TEST_CASE("6.1 through_sphere: is Snell's law in thin glass too, before the critical angle", "[stage6][6.1]") {
+  Random random(24);
+  int entered = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Vec3 n = random.direction(), d = random.arriving_at(n);
+    const double index = random.between(0.3, 0.95), sine = length(cross(d, n));
+    if (sine < 0.1 || sine > 0.95 * index) continue;
+    ++entered;
+    const Hit hit = hit_at(ball, n, d);
+    const std::optional<Ray> exit = table().through_sphere(ball, index, hit);
+    const Ray expected = by_angles(ball, index, hit);
+    REQUIRE(exit.has_value());
+    const double size = size_by_angles(d, n, index);
+    CHECK(exit->origin == start_at(expected.origin, exit->direction, 1e-12, size));
+    CHECK(exit->direction == within(1e-12, expected.direction, size));
+  }
+  CHECK(entered > 50);
 }
 
 TEST_CASE("6.1 through_sphere: leaves the sphere outwards, from its surface, with a unit direction", "[stage6][6.1]") {
@@ -74,25 +112,33 @@ TEST_CASE("6.1 through_sphere: leaves the sphere outwards, from its surface, wit
   for (int k = 0; k < 500; ++k) {
     const Vec3 n = random.direction(), d = random.arriving_at(n);
     const std::optional<Ray> exit = table().through_sphere(ball, random.between(1, 10), hit_at(ball, n, d));
+    if (!exit && may_round_to_total_reflection(d, n)) continue;
     REQUIRE(exit.has_value());
-    CHECK(length(exit->origin - ball.center) == within(1e-14, ball.radius));
+    const Vec3 outwards = unit(exit->origin - ball.center);
+    CHECK(exit->origin == start_at(ball.center + ball.radius * outwards, exit->direction, 1e-14, 5));
     CHECK(length(exit->direction) == within(4e-15, 1.0));
-    CHECK(dot(exit->direction, exit->origin - ball.center) >= -1e-14);
+    CHECK(dot(exit->direction, outwards) >= -allowed(1e-14, 5));
     CHECK(exit->leaves.geometry == 5);
     CHECK(exit->leaves.side == Side::outwards);
   }
 }
 
 TEST_CASE("6.1 through_sphere: no light enters thin glass beyond the critical angle", "[stage6][6.1]") {
-  const auto at_sine = [](double sine) { return hit_at(ball, {0, 1, 0}, {sine, -std::sqrt(1 - sine * sine), 0}); };
   CHECK(table().through_sphere(ball, 0.75, at_sine(0.74)).has_value());
   CHECK_FALSE(table().through_sphere(ball, 0.75, at_sine(0.76)).has_value());
+  CHECK(table().through_sphere(ball, 1.5, at_sine(0.999)).has_value());
+}
+
+// Here asin(n sin(phi_1)) can be a NaN by rounding alone.
+TEST_CASE("6.1 through_sphere: light enters common glass at every angle", "[stage6][6.1][hard]") {
   CHECK(table().through_sphere(ball, 1.5, at_sine(0.999999)).has_value());
+  for (const double n : {1.0, 1.5}) CHECK(table().through_sphere(ball, n, hit_at(ball, {0, 1, 0}, {1, 0, 0})).has_value());
 }
 
 TEST_CASE("6.1 through_sphere: a grazing ray gives numbers, not NaN", "[stage6][6.1]") {
   for (const double n : {1.0, 1.5}) {
     const std::optional<Ray> exit = table().through_sphere(ball, n, hit_at(ball, {0, 1, 0}, {1, 0, 0}));
+    if (!exit && judging_submission()) continue;
     REQUIRE(exit.has_value());
     CHECK(length(exit->direction) == within(4e-15, 1.0));
     CHECK(std::isfinite(length(exit->origin)));
@@ -102,7 +148,7 @@ TEST_CASE("6.1 through_sphere: a grazing ray gives numbers, not NaN", "[stage6][
 TEST_CASE("6.2 schlick: is R0 straight on and 1 at grazing", "[stage6][6.2]") {
   CHECK(table().schlick(1, 1.5) == within(1e-16, 0.04));
   CHECK(table().schlick(0, 1.5) == within(1e-16, 1.0));
-  CHECK(table().schlick(1, 1) == 0);
+  CHECK(table().schlick(1, 1) == within(0, 0.0));
 }
 
 TEST_CASE("6.2 schlick: is equation 6", "[stage6][6.2]") {
@@ -113,7 +159,15 @@ TEST_CASE("6.2 schlick: is equation 6", "[stage6][6.2]") {
   }
 }
 
-TEST_CASE("6.2 schlick: stays within 0 to 1 where rounding brings the cosine beyond", "[stage6][6.2]") {
+TEST_CASE("6.2 schlick: stays within 0 to 1 where the cosine is a little beyond", "[stage6][6.2]") {
+  const double above = table().schlick(1 + 1e-5, 1), below = table().schlick(-1e-5, 1.5);
+  CHECK(above >= 0);
+  CHECK(above == within(1e-24, 0.0));
+  CHECK(below <= 1 + allowed(0, 0.5));
+  CHECK(below == Within<double>{1e-4, 1});  // of -1e-5 some take the absolute value
+}
+
+TEST_CASE("6.2 schlick: takes what is beyond 0 to 1 for 0 or 1", "[stage6][6.2][hard]") {
   CHECK(table().schlick(1 + 2.3e-16, 1) == 0);
   CHECK(table().schlick(1 + 1e-9, 1.5) == within(1e-16, 0.04));
   CHECK(table().schlick(-1e-9, 1.5) == within(1e-16, 1.0));
@@ -127,15 +181,19 @@ TEST_CASE("6.3 glass_bounces: from outside, the mirrored ray and the one through
     const Hit hit = hit_at(ball, n, d);
     const GlassBounces both = table().glass_bounces(ball, index, hit);
     const double R = printed_schlick(-dot(d, n), index);
-    CHECK(both.reflected.weight == within(1e-14, R));
-    CHECK(both.refracted.weight == within(1e-14, 1 - R));
-    CHECK(both.reflected.ray.origin == hit.point);
+    // The variants of total reflection by rounding: it is a total one, or nothing comes through and nothing more comes back.
+    const bool no_light = both.refracted.weight == 0 && may_round_to_total_reflection(d, n);
+    if (!(no_light && both.reflected.weight == 1)) CHECK(both.reflected.weight == within(1e-14, R));
+    if (!no_light) CHECK(both.refracted.weight == within(1e-14, 1 - R));
+    CHECK(both.reflected.ray.origin == start_at(hit.point, both.reflected.ray.direction));
     CHECK(both.reflected.ray.direction == within(2e-15, d - 2 * dot(d, n) * n));
     CHECK(both.reflected.ray.leaves.geometry == 5);
     CHECK(both.reflected.ray.leaves.side == Side::outwards);
     if (dot(d, n) > -0.05 || dot(d, n) < -0.95) continue;
-    CHECK(both.refracted.ray.origin == within(1e-11, by_angles(ball, index, hit).origin));
-    CHECK(both.refracted.ray.direction == within(1e-11, by_angles(ball, index, hit).direction));
+    const Ray expected = by_angles(ball, index, hit);
+    const double size = size_by_angles(d, n, index);
+    CHECK(both.refracted.ray.origin == start_at(expected.origin, both.refracted.ray.direction, 1e-11, size));
+    CHECK(both.refracted.ray.direction == within(1e-11, expected.direction, size));
     CHECK(both.refracted.ray.leaves.geometry == 5);
     CHECK(both.refracted.ray.leaves.side == Side::outwards);
   }
@@ -143,8 +201,8 @@ TEST_CASE("6.3 glass_bounces: from outside, the mirrored ray and the one through
 
 TEST_CASE("6.3 glass_bounces: total reflection from outside is all mirror", "[stage6][6.3]") {
   const GlassBounces both = table().glass_bounces(ball, 0.75, hit_at(ball, {0, 1, 0}, {0.8, -0.6, 0}));
-  CHECK(both.reflected.weight == 1);
-  CHECK(both.refracted.weight == 0);
+  CHECK(both.reflected.weight == within(0, 1.0));
+  CHECK(both.refracted.weight == within(0, 0.0));
   CHECK(both.reflected.ray.direction == within(1e-15, Vec3(0.8, 0.6, 0)));
 }
 
@@ -156,20 +214,41 @@ TEST_CASE("6.3 glass_bounces: from inside, one ray stays in and one goes out by 
   const double R = printed_schlick(0.8, 1.5);
   CHECK(both.reflected.weight == within(1e-15, R));
   CHECK(both.refracted.weight == within(1e-15, 1 - R));
-  CHECK(both.reflected.ray.origin == hit.point);
+  CHECK(both.reflected.ray.origin == start_at(hit.point, both.reflected.ray.direction));
   CHECK(both.reflected.ray.direction == within(1e-15, Vec3(d.x, -d.y, 0)));
   CHECK(both.reflected.ray.leaves.geometry == 5);
   CHECK(both.reflected.ray.leaves.side == Side::inwards);
-  CHECK(both.refracted.ray.origin == hit.point);
+  CHECK(both.refracted.ray.origin == start_at(hit.point, both.refracted.ray.direction));
   CHECK(both.refracted.ray.direction == within(1e-15, Vec3(0.6, 0.8, 0)));
   CHECK(both.refracted.ray.leaves.geometry == 5);
   CHECK(both.refracted.ray.leaves.side == Side::outwards);
 }
 
+TEST_CASE("6.3 glass_bounces: from inside, the ray that goes out bends as one that comes in would", "[stage6][6.3]") {
+  Random random(25);
+  int out = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Vec3 n = random.direction(), d = -random.arriving_at(n);
+    const double index = random.between(0.5, 2.5), sin_1 = length(cross(d, n)), sin_2 = index * sin_1;
+    if (sin_2 > 0.95 || sin_1 > 0.95 || sin_1 < 0.1) continue;
+    ++out;
+    const double cos_2 = std::sqrt(1 - sin_2 * sin_2), R = printed_schlick(cos_2, index);
+    const Hit hit = hit_at(ball, n, d);
+    const GlassBounces both = table().glass_bounces(ball, index, hit);
+    const double size = size_by_angles(d, n, 1 / index);
+    CHECK(both.reflected.weight == within(1e-13, R, size));
+    CHECK(both.refracted.weight == within(1e-13, 1 - R, size));
+    CHECK(both.reflected.ray.direction == within(1e-14, d - 2 * dot(d, n) * n));
+    CHECK(both.refracted.ray.direction == within(1e-13, sin_2 * unit(d - dot(d, n) * n) + cos_2 * n, size));
+    CHECK(both.refracted.ray.origin == start_at(hit.point, both.refracted.ray.direction));
+  }
+  CHECK(out > 50);
+}
+
 TEST_CASE("6.3 glass_bounces: total reflection inside is all mirror", "[stage6][6.3]") {
   const GlassBounces both = table().glass_bounces(ball, 1.5, hit_at(ball, {0, 1, 0}, {0.8, 0.6, 0}));
-  CHECK(both.reflected.weight == 1);
-  CHECK(both.refracted.weight == 0);
+  CHECK(both.reflected.weight == within(0, 1.0));
+  CHECK(both.refracted.weight == within(0, 0.0));
   CHECK(both.reflected.ray.direction == within(1e-15, Vec3(0.8, -0.6, 0)));
   CHECK(both.reflected.ray.leaves.side == Side::inwards);
 }

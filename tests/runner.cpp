@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 StageTable table_under_test;
+bool submission_under_test = false;
 MakeEngine make_under_test;
 Totals totals;
 bool told = false;  ///< is each test told of, as it ends?
@@ -109,6 +110,7 @@ Totals run(const std::string& selection, const std::filesystem::path& report) {
 
 Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report) {
   table_under_test = table;
+  submission_under_test = false;
   make_under_test = [](const Scene& scene, const Settings& settings) {
     return make_stages(scene, settings, table_under_test);
   };
@@ -116,14 +118,18 @@ Totals run_tests(const std::string& selection, const StageTable& table, const st
   return run(selection, report);
 }
 
-Totals run_tests(const std::string& selection, const StageTable& table, const MakeEngine& make) {
+Totals run_tests(const std::string& selection, const StageTable& table, const MakeEngine& make,
+                 const std::filesystem::path& report) {
   table_under_test = table;
+  submission_under_test = true;
   make_under_test = make;
-  told = true;
-  return run(selection, "/dev/null");
+  told = report.empty();
+  return run(selection, told ? "/dev/null" : report);
 }
 
 const StageTable& table() { return table_under_test; }
+
+bool judging_submission() { return submission_under_test; }
 
 std::unique_ptr<Engine> engine_under_test(const Scene& scene, const Settings& settings) {
   return make_under_test(scene, settings);

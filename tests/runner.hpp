@@ -23,13 +23,18 @@ struct Totals {
 /// goes to `report`, or to standard output if that is empty.
 Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report = {});
 
-/// The same of somebody's submission: `make` makes the images, since a table whose functions run in another process would
-/// take an hour over them. Prints a line a test and, of a failed one, its first failure.
+/// The same for a submission: as strict as a right answer in float arithmetic and the accepted variants (docs/errata.md)
+/// allow. `make` makes the images: a table whose functions run in another process would take an hour over them. Without a
+/// `report` it prints a line a test and, of a failed one, its first failure.
 using MakeEngine = std::function<std::unique_ptr<Engine>(const Scene&, const Settings&)>;
-Totals run_tests(const std::string& selection, const StageTable& table, const MakeEngine& make);
+Totals run_tests(const std::string& selection, const StageTable& table, const MakeEngine& make,
+                 const std::filesystem::path& report = {});
 
 /// The table that the running tests judge.
 const StageTable& table();
+
+/// Is it a submission's? If not, it is one of raylab's own, and answers for every digit of a double.
+bool judging_submission();
 
 /// An engine that makes images with it. `scene` must outlive it.
 std::unique_ptr<Engine> engine_under_test(const Scene& scene, const Settings& settings);

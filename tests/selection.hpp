@@ -10,6 +10,9 @@ namespace raylab::test {
 /// The selection of a task's tests, for run_tests(): "[5.1]".
 inline std::string tests_of(std::string_view task) { return "[" + std::string(task) + "]"; }
 
+/// Those of them that a submission is asked: not the numerically hard ones, which ask for more than a right answer.
+inline std::string tests_of_submission(std::string_view task) { return tests_of(task) + "~[hard]"; }
+
 /// The selection of the tests of all tasks before this one; empty for the first.
 inline std::string tests_before(std::string_view task) {
   std::string earlier;
