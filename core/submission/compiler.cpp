@@ -104,7 +104,6 @@ const char* const common_headers = R"(#include "core/math/camera.hpp"
 #include "core/math/vec3.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -163,7 +162,8 @@ fs::path StageCompiler::prepared(const std::string& name, const std::vector<std:
 StageCompiler::Built StageCompiler::build(int stage, const fs::path& source) const {
   const std::string text = content(source);
   const std::string name = hash(source.string() + '\n' + text) + ".so";
-  if (fs::exists(folder_ / name)) return {folder_ / name, content(folder_ / (name + ".txt"))};
+  if (fs::exists(folder_ / name) && fs::exists(folder_ / (name + ".txt")))
+    return {folder_ / name, content(folder_ / (name + ".txt"))};
 
   const fs::path header = folder_ / "common.hpp";
   if (!fs::exists(header)) write_text(header, common_headers);
