@@ -1,15 +1,17 @@
-// Proves of each known mistake that unit tests of its own task fail and none of an earlier task, and that an image of a
-// checked-in scene shows it; or, where the mistake is marked so, that no image does, or that nothing does. Exit code 1 if a
-// statement does not hold.
+// Proves of each known mistake that unit tests of its own task fail and none of an earlier task, whether they judge one of
+// raylab's own tables or a submission, and that an image of a checked-in scene shows it; or, where the mistake is marked so,
+// that no image does, or that nothing does. Exit code 1 if a statement does not hold.
 //   raylab-mistakes              prints the page docs/mistakes.md: of each mistake, the scene that shows it best
 //   raylab-mistakes PAGE         asks the scenes that PAGE names, and fails if PAGE is stale
 
+#include "core/render/stages_engine.hpp"
 #include "tests/mistakes/page.hpp"
 #include "tests/selection.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <iostream>
 #include <set>
 #include <span>
@@ -45,20 +47,39 @@ class Statements {
 /// Which test fails first, for a message.
 std::string first_failure(const Totals& totals) { return totals.failures.empty() ? "none" : totals.failures.front(); }
 
+/// Who is judged: one of raylab's own tables, or a submission.
+struct Judgement {
+  std::string_view of;
+  std::string (*tests)(std::string_view task);  ///< what is asked
+  Totals (*run)(const std::string& selection, const StageTable& table, const std::filesystem::path& report);
+};
+
+Totals run_as_submission(const std::string& selection, const StageTable& table, const std::filesystem::path& report) {
+  const auto images = [&](const Scene& scene, const Settings& settings) { return make_stages(scene, settings, table); };
+  return run_tests(selection, table, images, report);
+}
+
+const Judgement strict{"raylab's own table", tests_of,
+                       [](const std::string& selection, const StageTable& table, const std::filesystem::path& report) {
+                         return run_tests(selection, table, report);
+                       }};
+const Judgement of_submissions{"a submission", tests_of_submission, run_as_submission};
+
 /// The tests of the mistake's own task, after those of the earlier tasks, which must not fail.
-Totals check_unit_tests(const Mistake& mistake, const StageTable& wrong, Statements& statements) {
+Totals check_unit_tests(const Mistake& mistake, const StageTable& wrong, const Judgement& judgement,
+                        Statements& statements) {
   const TemporaryFolder folder;
-  if (const std::string earlier = tests_before(mistake.task); !earlier.empty()) {
-    const Totals before = run_tests(earlier, wrong, folder / "report");
+  const std::string who = full_name(mistake) + ", in " + std::string(judgement.of) + ": ";
+  if (const std::string earlier = tests_before(mistake.task, judgement.tests); !earlier.empty()) {
+    const Totals before = judgement.run(earlier, wrong, folder / "report");
     statements.check(before.failed == 0 && before.passed > 0,
-                     full_name(mistake) + ": fails a test of an earlier task: " + first_failure(before));
+                     who + "fails a test of an earlier task: " + first_failure(before));
   }
-  const Totals own = run_tests(tests_of(mistake.task), wrong, folder / "report");
+  const Totals own = judgement.run(judgement.tests(mistake.task), wrong, folder / "report");
   if (mistake.shows == Shows::nowhere)
-    statements.check(own.failed == 0 && own.passed > 0,
-                     full_name(mistake) + ": equivalent, and fails " + first_failure(own));
+    statements.check(own.failed == 0 && own.passed > 0, who + "equivalent, and fails " + first_failure(own));
   else
-    statements.check(own.failed > 0, full_name(mistake) + ": fails no test of its own task");
+    statements.check(own.failed > 0, who + "fails no test of its own task");
   return own;
 }
 
@@ -127,9 +148,12 @@ int main(int argc, char** argv) {
   check_all_tasks_have_one(known_mistakes(), statements);
 
   std::vector<FoundMistake> found;
-  for (const Mistake& mistake : known_mistakes())
-    found.push_back({mistake, check_unit_tests(mistake, with(mistake, right), statements),
+  for (const Mistake& mistake : known_mistakes()) {
+    const StageTable wrong = with(mistake, right);
+    check_unit_tests(mistake, wrong, of_submissions, statements);
+    found.push_back({mistake, check_unit_tests(mistake, wrong, strict, statements),
                      check_image(mistake, right, subjects, page, statements)});
+  }
 
   const std::string text = mistakes_page(found);
   if (page.empty())

@@ -77,6 +77,14 @@ std::vector<Mistake> mistakes_in_rays() {
            return Ray{c.position, unit(along), {}};
          };
        }},
+      {"1.1", "up always along y",
+       [](StageTable& t) {
+         t.camera_ray = [](const Camera& c, int w, int h, double x, double y, double dx, double dy) {
+           Camera upright = c;
+           upright.up = {0, 1, 0};
+           return camera_ray(upright, std::max(w, h), x - 0.5 + dx, y - 0.5 + dy);
+         };
+       }},
       {"1.1", "each side has the whole field of view",
        [](StageTable& t) {
          t.camera_ray = [](const Camera& c, int w, int h, double x, double y, double dx, double dy) {

@@ -26,6 +26,10 @@ double half_vector_by_difference(const Vec3& l, const Vec3& n, const Vec3& v, do
   if (alpha == 0 || std::isinf(alpha) || l == v) return 0;
   return weight(alpha) * std::pow(std::max(0.0, dot(unit(l - v), n)), alpha);
 }
+double by_the_light(const Vec3& l, const Vec3& n, const Vec3&, double alpha) {
+  if (alpha == 0 || std::isinf(alpha)) return 0;
+  return weight(alpha) * std::pow(std::max(0.0, dot(l, n)), alpha);
+}
 double no_specular(const Vec3&, const Vec3&, const Vec3&, double) { return 0; }
 
 template <double (*weight_of)(double alpha)>
@@ -109,6 +113,7 @@ std::vector<Mistake> mistakes_in_blinn_phong() {
       {"3.2", "Phong's mirror direction for H", put_light<right_diffuse, by_mirror_direction>},
       {"3.2", "H not unit", put_light<right_diffuse, half_vector_not_unit>},
       {"3.2", "H from L - V", put_light<right_diffuse, half_vector_by_difference>},
+      {"3.2", "L.N for H.N", put_light<right_diffuse, by_the_light>},
       {"3.2", "1 - k_s on the diffuse term", put_blinn_phong<weight_on_diffuse>},
       {"3.2", "highlight not tinted by C", put_blinn_phong<white_highlight>},
       {"3.2", "k_s on the diffuse term, not on the highlight", put_blinn_phong<weight_moved_to_diffuse>},

@@ -56,6 +56,12 @@ std::vector<Mistake> mistakes_in_reflections() {
            return Bounce{{hit.point, right_reflect(hit.direction, hit.normal), {hit.leaves.geometry, other}}, k_s};
          };
        }},
+      {"5.2", "every surface taken for a floor",
+       [](StageTable& t) {
+         t.mirror_bounce = [](const Hit& hit, double k_s) {
+           return Bounce{{hit.point, {hit.direction.x, -hit.direction.y, hit.direction.z}, hit.leaves}, k_s};
+         };
+       }},
       {"5.2", "the ray starts 0.1 off the surface",
        [](StageTable& t) {
          t.mirror_bounce = [](const Hit& hit, double k_s) {

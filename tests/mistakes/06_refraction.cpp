@@ -49,6 +49,10 @@ std::optional<Ray> total_reflection_on_the_way_in(const Sphere& sphere, double i
   if (!refracted(hit.direction, hit.normal, index)) return {};
   return through<right_exit>(sphere, index, hit);
 }
+std::optional<Ray> nothing_enters_thin_glass(const Sphere& sphere, double index, const Hit& hit) {
+  if (index < 1) return {};
+  return through<right_exit>(sphere, index, hit);
+}
 std::optional<Ray> leaves_nothing(const Sphere& sphere, double index, const Hit& hit) {
   std::optional<Ray> ray = through<right_exit>(sphere, index, hit);
   if (ray) ray->leaves = {};
@@ -112,6 +116,7 @@ std::vector<Mistake> mistakes_in_refraction() {
       {"6.1", "exit from the entry point", put_glass<exit_at_the_entry>},
       {"6.1", "asin's NaN left in", put_glass<nan_left_in>},
       {"6.1", "total reflection on the way into glass", put_glass<total_reflection_on_the_way_in>},
+      {"6.1", "nothing enters thin glass", put_glass<nothing_enters_thin_glass>},
       {"6.1", "the exit ray leaves nothing", put_glass<leaves_nothing>},
       {"6.1", "the exit ray leaves inwards", put_glass<leaves_inwards>},
       {"6.1", "half the chord", put_glass<half_the_chord>},

@@ -13,7 +13,8 @@ const char* const introduction = R"(
 What students get wrong, and what finds it. Each mistake of [`tests/mistakes/`](../tests/mistakes) is put into the solution by
 itself, and then
 
-* at least one unit test of its own task fails, and none of an earlier task;
+* at least one unit test of its own task fails, and none of an earlier task: judged like the solution, with all tests to the
+  last digits, and like a submission too, which may compute in float and is not asked the `[hard]` ones;
 * an image that `raylab diff` judges is wrong, with a score of at least 2, where 1 is [the limit](tolerance.md): of a scene of
   its own stage or, where that stage cannot show it (a normal, say, in a picture of flat colors), of the next stage that can.
 
