@@ -96,6 +96,9 @@ std::unique_ptr<RemoteTable> remote_table(const Call& call, const TaskInfo& task
   if (whose(call).empty() || whose(call) == "solution" || whose(call) == "fast") return nullptr;
   if (!call.precision.empty()) throw Failure("--precision goes with --with solution and --with fast", wrong_usage);
   const int stage = stage_of(task.label);
+  const std::vector<Chosen> all = chosen_submissions(call.submissions);
+  if (std::none_of(all.begin(), all.end(), [&](const Chosen& chosen) { return stage_files(chosen.folder).contains(stage); }))
+    throw Failure("--with: there is no " + stage_file(stage) + " in " + whose(call), wrong_usage);
   return std::make_unique<RemoteTable>(build_with(call.submissions, stage, stage));
 }
 
@@ -125,7 +128,9 @@ void add_call(CLI::App& app) {
   const CLI::Option* arguments = command->add_option(
       "JSON", call->arguments, "Its arguments, a JSON object; default: one such object a line from standard input");
   command->add_option("--with", call->submissions.with, "Whose function: solution (default), fast, or a submission's folder")
-      ->type_name("WHOSE");
+      ->type_name("WHOSE")
+      ->allow_extra_args(false)
+      ->take_all();
   command->add_flag("--sanitize", call->submissions.sanitize,
                     "Run a submission with checks of addresses and of undefined behaviour");
   command->add_option("--precision", call->precision, "f64 (default), f32, or oracle: the nearest doubles to the truth")

@@ -5,6 +5,7 @@
 #include "core/image/data_folder.hpp"
 #include "core/image/diff_patterns.hpp"
 #include "core/image/diff_pictures.hpp"
+#include "core/image/file_hash.hpp"
 #include "core/image/image_file.hpp"
 #include "core/image/partial_file.hpp"
 #include "core/image/reference_file.hpp"
@@ -59,7 +60,7 @@ std::string scene_names(const Manifest& manifest) {
 const SceneEntry& scene_of(const Manifest& manifest, const std::string& text) {
   if (const SceneEntry* scene = find_scene(manifest, text)) return *scene;
   for (const SceneEntry& scene : manifest.scenes)
-    if (fs::exists(text) && fs::equivalent(text, data_folder(scene.sources.front().file))) return scene;
+    if (fs::is_regular_file(text) && file_hash(text) == scene.sources.front().hash) return scene;  // or a copy
   throw Failure("there are no references of a scene '" + text + "'. There are:" + scene_names(manifest), cannot_compare);
 }
 

@@ -60,7 +60,7 @@ class Submission {
     return [this](const TaskInfo& task, const std::string& arguments) { return tasks_.ask(task, arguments); };
   }
   std::unique_ptr<Engine> engine(const Scene& scene, const Settings& settings, unsigned threads) const {
-    return make_worker_engine(scene, settings, setup_, threads, [](const std::string&) {});
+    return make_worker_engine(scene, settings, setup_, threads, tell_stand_in);
   }
   const std::string& with() const { return setup_.with; }
 

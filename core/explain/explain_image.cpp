@@ -26,16 +26,20 @@ double apart(const Color& a, const Color& b) {
   return std::isfinite(d.r + d.g + d.b) ? most : 1;
 }
 
-/// The pixels to ask about. Where there is no other image: every so many.
+/// The pixels to ask about: those that differ noticeably or, if none does, at all. Where there is no other image: any.
 std::vector<std::size_t> chosen_pixels(const std::vector<double>& differences, bool compared, std::size_t most) {
   std::vector<std::size_t> pixels;
   if (!compared) {
-    const std::size_t step = std::max<std::size_t>(1, differences.size() / most);
-    for (std::size_t k = step / 2; k < differences.size(); k += step) pixels.push_back(k);
+    constexpr double golden = 0.6180339887498949;  // its multiples spread evenly, over rows and columns alike
+    for (std::size_t k = 0; k < most; ++k) {
+      const double part = static_cast<double>(k) * golden;
+      pixels.push_back(static_cast<std::size_t>((part - std::floor(part)) * static_cast<double>(differences.size())));
+    }
     return pixels;
   }
+  const bool any = std::any_of(differences.begin(), differences.end(), [](double d) { return d > noticeable; });
   for (std::size_t k = 0; k < differences.size(); ++k)
-    if (differences[k] > noticeable) pixels.push_back(k);
+    if (differences[k] > (any ? noticeable : 0)) pixels.push_back(k);
   std::stable_sort(pixels.begin(), pixels.end(),
                    [&](std::size_t a, std::size_t b) { return differences[a] > differences[b]; });
   if (pixels.size() <= most) return pixels;
@@ -90,8 +94,10 @@ std::string differences_text(const std::string& scene, const Settings& settings,
   out << scene << " up to " << stage_title(settings.stage) << ", " << size << ", " << with << ":\n";
   if (!found.error.empty())
     out << "there is no image: " << found.error << '\n';
+  else if (found.asked == 0)
+    return out.str() + "all pixels are as the solution has them, to the last bit\n";
   else if (found.differing == 0)
-    return out.str() + "all pixels are as the solution has them, to a step of 255\n";
+    out << "all pixels are as the solution has them, to a step of 255\n";
   else
     out << found.differing << " of " << found.pixels << " pixels differ from the solution's by more than a step of 255\n";
   out << "asked about " << found.asked << " of them";

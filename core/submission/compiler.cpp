@@ -128,11 +128,12 @@ StageCompiler::StageCompiler(const CompilerOptions& options) : options_(options)
               "-Wall",
               "-Wextra",
               "-Wno-unused-parameter",
+              "-Wno-missing-field-initializers",
               "-DRAYLAB_IMPLEMENTATION=submission",
               "-I" + root.string()};
   if (options.sanitize) {
-    command_.insert(command_.end(),
-                    {"-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"});
+    command_.insert(command_.end(), {"-D_GLIBCXX_ASSERTIONS", "-fsanitize=address,undefined", "-fno-sanitize-recover=all",
+                                     "-fno-omit-frame-pointer"});
     command_[2] = "-O1";
   }
   const Finished version = run_program({command_.front(), "--version"});
@@ -203,7 +204,7 @@ std::vector<std::string> StageCompiler::worker_environment() const {
       throw std::runtime_error("--sanitize: " + command_.front() + " has no " + runtime + ": use g++, by CXX=g++");
     preload += (preload.empty() ? "" : ":") + path;
   }
-  return {"LD_PRELOAD=" + preload, "ASAN_OPTIONS=detect_leaks=0:print_legend=0:abort_on_error=1",
+  return {"LD_PRELOAD=" + preload, "ASAN_OPTIONS=detect_leaks=0:print_legend=0:abort_on_error=1:handle_abort=1",
           "UBSAN_OPTIONS=print_stacktrace=1:abort_on_error=1"};
 }
 

@@ -1,9 +1,11 @@
 #include "core/submission/stage_files.hpp"
 
 #include "core/render/stage_table.hpp"
+#include "core/scene/nearest_name.hpp"
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 
 namespace raylab {
 
@@ -56,6 +58,26 @@ std::map<int, fs::path> stage_files(const fs::path& folder) {
   std::string names;
   for (const StageInfo& stage : stage_list()) names += " " + stage_file(stage.number);
   throw std::runtime_error(folder.string() + ": has none of the files that a submission may have:" + names);
+}
+
+std::vector<std::string> misnamed_files(const Chosen& chosen) {
+  const std::map<int, fs::path> files = stage_files(chosen.folder);
+  std::vector<std::string> names;
+  for (const StageInfo& stage : stage_list()) names.push_back(stage_file(stage.number));
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  std::vector<std::string> warnings;
+  for (const auto& entry : fs::directory_iterator(chosen.folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".cpp" || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (const std::string_view nearest = nearest_name(name, known); !nearest.empty())
+      warnings.push_back(entry.path().lexically_normal().string() + " is not used: is it to be " + std::string(nearest) +
+                         "?");
+  }
+  for (const StageInfo& stage : stage_list())
+    if (!chosen.selections.empty() && !chosen_tasks(chosen, stage.number).empty() && !files.contains(stage.number))
+      throw std::runtime_error(chosen.folder.string() + ": has no " + stage_file(stage.number) +
+                               ", of which --with names something" + (warnings.empty() ? "" : "; " + warnings.front()));
+  return warnings;
 }
 
 std::vector<std::string> chosen_tasks(const Chosen& chosen, int stage) {

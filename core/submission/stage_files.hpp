@@ -23,6 +23,10 @@ std::string stage_file(int stage);
 /// are called.
 std::map<int, std::filesystem::path> stage_files(const std::filesystem::path& folder);
 
+/// What is likely to be a mistake in a submission's folder: a file that is nearly called like a stage's, and a stage that is
+/// chosen by its number and has no file. Throws std::runtime_error for the latter.
+std::vector<std::string> misnamed_files(const Chosen& chosen);
+
 /// The labels of the tasks of `stage` that are chosen.
 std::vector<std::string> chosen_tasks(const Chosen& chosen, int stage);
 

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -88,7 +89,7 @@ class Guard {
         throw missing(task);
       } catch (const NotWritten& error) {
         if (!(tasks.fallback.*member) || tasks.fallback.*member == tasks.own.*member) throw;
-        channel->send("stands-in " + json_string(error.what()));
+        channel->send("stands-in " + json_string(error.what() + caller_of(task, error.what())));
         unwritten = true;
       }
     }
@@ -101,6 +102,12 @@ class Guard {
   }
 
  private:
+  /// A task that is written may call one that is not.
+  static std::string caller_of(const TaskInfo& task, std::string_view unwritten) {
+    const std::string own = "task " + std::string(task.label) + " ";
+    return unwritten.starts_with(own) ? "" : ", and task " + std::string(task.label) + " calls it";
+  }
+
   template <class... Parameters>
   void announce(const TaskInfo& task, const Parameters&... arguments) {
     static const std::vector<std::string> names = parameter_names(task);
@@ -204,6 +211,7 @@ int main(int argc, char** argv) {
   Channel channel;
   Guard& guard = Guard::current();
   guard.channel = &channel;
+  std::setvbuf(stdout, nullptr, _IONBF, 0);  // what a task prints is seen before it crashes
   try {
     limit_this_process();
     guard.tasks = load_all({argv + 1, argv + argc});

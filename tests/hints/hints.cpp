@@ -64,8 +64,12 @@ std::vector<Hint> find_hints(const StageTable& solution, const AskTask& ask, con
     std::vector<WrongAnswer> wrong;
     for (std::size_t k = 0; k < inputs.size(); ++k)
       if (!alike(wanted[k], got[k])) wrong.push_back({inputs[k], wanted[k].json, got[k].json, got[k].error});
+    if (wrong.empty()) continue;
     const auto has_answer = [](const Answer& answer) { return answer.error.empty(); };
-    if (wrong.empty() || std::none_of(got.begin(), got.end(), has_answer)) continue;
+    if (std::none_of(got.begin(), got.end(), has_answer)) {
+      hints.push_back({&task, "it answers nothing: " + got.front().error, where_to_look(task), {}});
+      continue;
+    }
     // What an earlier task's mistake brings along is no mistake of this task.
     const auto explains = [&](const StageTable& table) { return all_alike(answers(task, inputs, table), got); };
     if (std::any_of(named.begin(), named.end(), explains)) continue;

@@ -109,11 +109,16 @@ std::string pattern_of_numbers(const std::vector<std::pair<Numbers, Numbers>>& p
     return squares > 0 ? scaled(v, 1 / std::sqrt(squares)) : v;
   };
   const bool vectors = std::all_of(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.first.size() == 3; });
+  const bool directions_wanted = vectors && std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+                                   const Numbers& v = pair.first;
+                                   return close(v[0] * v[0] + v[1] * v[1] + v[2] * v[2], 1);
+                                 });
   if (vectors) {
     std::vector<std::pair<Numbers, Numbers>> directions;
     for (const auto& [wanted, got] : pairs) directions.emplace_back(unit(wanted), unit(got));
     const auto same = [](const Numbers& v) { return v; };
-    if (!always(directions, same) && std::all_of(directions.begin(), directions.end(), [&](const auto& pair) {
+    if (directions_wanted && !always(directions, same) &&
+        std::all_of(directions.begin(), directions.end(), [&](const auto& pair) {
           return close(pair.first[0], pair.second[0]) && close(pair.first[1], pair.second[1]) &&
                  close(pair.first[2], pair.second[2]);
         }))
