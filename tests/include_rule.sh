@@ -46,6 +46,7 @@ rule 'bench/variants/*.?pp' core/ bench/variants/
 rule 'stages/*/*.?pp' core/math/ 'stages/[0-9][0-9]_'
 rule 'stages/export_tasks.cpp' core/math/ stages/stages.hpp
 rule 'reference/solution/*' 'stages/[0-9][0-9]_'
+rule 'tests/submissions/*/*/*' core/math/ 'stages/[0-9][0-9]_'
 rule 'reference/oracle/*' core/math/ core/scene/scene.hpp 'core/render/(engine|stage_table).hpp' reference/oracle/
 rule 'reference/engine/*.?pp' core/math/ core/scene/scene.hpp 'core/render/(engine|stage_table).hpp' reference/engine/
 rule 'reference/engine/kernel/*' reference/engine/kernel/
@@ -56,7 +57,7 @@ only OpenImageIO '^core/image/'
 only CLI/ '^core/cli/'
 only boost/ '^reference/oracle/'
 only hwy/ '^(bench|reference/engine)/'
-only glm '^(core/math|reference/solution|stages)/'
+only glm '^(core/math|reference/solution|stages|tests/submissions)/'
 only nlohmann '^(bench/report|core/(calls|cli|explain|references|report)|tests)/'
 only catch2 '^tests/'
 only '(sys/|unistd|linux/|windows|fcntl|spawn|poll|dlfcn)' '^core/submission/'  # the one place that knows of processes
