@@ -47,6 +47,17 @@ bool may_round_to_total_reflection(const Vec3& d, const Vec3& n) {
 
 Hit at_sine(double sine) { return hit_at(ball, {0, 1, 0}, {sine, -std::sqrt(1 - sine * sine), 0}); }
 
+/// The ray through the ball against the one that the angles of Snell's law give.
+void check_snell(const Vec3& d, const Vec3& n, double index) {
+  const Hit hit = hit_at(ball, n, d);
+  const std::optional<Ray> exit = table().through_sphere(ball, index, hit);
+  const Ray expected = by_angles(ball, index, hit);
+  REQUIRE(exit.has_value());
+  const double size = size_by_angles(d, n, index);
+  CHECK(exit->origin == start_at(expected.origin, exit->direction, 1e-12, size));
+  CHECK(exit->direction == within(1e-12, expected.direction, size));
+}
+
 }  // namespace
 
 TEST_CASE("6.1 through_sphere: through the centre goes straight on, whatever the glass", "[stage6][6.1]") {
@@ -78,13 +89,7 @@ TEST_CASE("6.1 through_sphere: is Snell's law at both surfaces", "[stage6][6.1]"
     const Vec3 n = random.direction(), d = random.arriving_at(n);
     if (dot(d, n) > -0.05 || dot(d, n) < -0.95) continue;  // where the angles themselves lose digits
     const double index = random.between(1.05, 3);
-    const Hit hit = hit_at(ball, n, d);
-    const std::optional<Ray> exit = table().through_sphere(ball, index, hit);
-    const Ray expected = by_angles(ball, index, hit);
-    REQUIRE(exit.has_value());
-    const double size = size_by_angles(d, n, index);
-    CHECK(exit->origin == start_at(expected.origin, exit->direction, 1e-12, size));
-    CHECK(exit->direction == within(1e-12, expected.direction, size));
+    check_snell(d, n, index);
   }
 }
 
@@ -96,13 +101,7 @@ TEST_CASE("6.1 through_sphere: is Snell's law in thin glass too, before the crit
     const double index = random.between(0.3, 0.95), sine = length(cross(d, n));
     if (sine < 0.1 || sine > 0.95 * index) continue;
     ++entered;
-    const Hit hit = hit_at(ball, n, d);
-    const std::optional<Ray> exit = table().through_sphere(ball, index, hit);
-    const Ray expected = by_angles(ball, index, hit);
-    REQUIRE(exit.has_value());
-    const double size = size_by_angles(d, n, index);
-    CHECK(exit->origin == start_at(expected.origin, exit->direction, 1e-12, size));
-    CHECK(exit->direction == within(1e-12, expected.direction, size));
+    check_snell(d, n, index);
   }
   CHECK(entered > 50);
 }

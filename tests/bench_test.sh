@@ -5,9 +5,7 @@ set -uo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 program=$(realpath "$1")
 report_is_right=$(realpath "$2")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
+enter_new_folder
 # Interrupted in the middle, it keeps what it has; the same command finishes it.
 "$program" bench --quick --out run >stdout 2>stderr </dev/null &
 for ((i = 0; i < 1200; i++)); do

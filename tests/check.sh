@@ -13,6 +13,12 @@ check() {
   fi
 }
 
+# Goes to a new folder, $folder, which is gone at the end.
+enter_new_folder() {
+  folder=$(mktemp -d)
+  trap 'rm -rf "$folder"' EXIT
+  cd "$folder" || exit 1
+}
 # run CODE ARGUMENT...: runs $program; its exit code must be CODE. What it prints goes to the files stdout and stderr.
 run() {
   local code=$1 got=0; shift

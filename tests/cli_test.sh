@@ -5,9 +5,7 @@ set -uo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 program=$(realpath "$1")
 scenes=$(realpath "$2")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
+enter_new_folder
 
 cat >good.toml <<'TOML'
 [camera]

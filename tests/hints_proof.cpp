@@ -51,9 +51,7 @@ bool within_rounding(const Mistake& mistake) {
 
 void check_mistake(const Mistake& mistake, const StageTable& right, const Probes& probes) {
   if (mistake.shows == Shows::nowhere) return;
-  StageTable wrong = right;
-  mistake.put_into(wrong);
-  const std::vector<Hint> hints = find_hints(right, asking(wrong), of_stage(probes, stage_of(mistake.task)));
+  const std::vector<Hint> hints = find_hints(right, asking(with(mistake, right)), of_stage(probes, stage_of(mistake.task)));
   const std::string title = std::string(mistake.task) + " " + std::string(mistake.name);
   if (within_rounding(mistake)) {
     check(hints.empty(), title + ": differs by less than float rounding, and gets" + names(hints));

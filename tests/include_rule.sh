@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Who may include what: the one-way rule math <- scene <- image <- render <- calls <- references <- submission <- explain <- report <- cli, and each library's one user.
+# Who may include what: the one-way rule math <- scene <- image <- render <- calls <- references <- report <- submission <- explain <- cli, and each library's one user.
 #   tests/include_rule.sh SOURCE_FOLDER
 set -euo pipefail
 cd "$1"
@@ -38,9 +38,9 @@ rule 'core/render/*' core/math/ core/scene/ core/image/ core/render/ stages/stag
 rule 'core/calls/*' core/math/ core/scene/ core/image/ core/render/ core/calls/
 rule 'core/references/*' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/
 rule 'core/submission/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/submission/
-rule 'core/explain/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/submission/ core/explain/
+rule 'core/explain/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/report/ core/submission/ core/explain/
 rule 'core/report/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/ core/report/
-rule 'core/cli/*.?pp' core/ 'bench/report/(bench|compare).hpp' 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp' 'tests/(runner|hints/hints).hpp'
+rule 'core/cli/*.?pp' core/ 'bench/report/(bench|compare).hpp' 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp' 'tests/(runner|selection|hints/hints).hpp'
 rule 'bench/report/*.?pp' core/ bench/ 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp'
 rule 'bench/variants/*.?pp' core/ bench/variants/
 rule 'stages/*/*.?pp' core/math/ 'stages/[0-9][0-9]_'

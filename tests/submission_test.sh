@@ -5,9 +5,7 @@ set -uo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 program=$(realpath "$1")
 source=$(realpath "$2")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
+enter_new_folder
 export XDG_CACHE_HOME=$folder/cache
 unset RAYLAB_HINTS
 export ASAN_OPTIONS=abort_on_error=1  # where the program has that sanitizer: a crash is to look like one

@@ -97,12 +97,7 @@ ImageFile rendered_image(const Diff& diff, const Reference& reference, int stage
   const Settings settings{stage, {reference.value.width, reference.value.height}, scene.max_bounces, {}};
   const WorkerSetup setup = build_with(diff.submissions, 1, stage);
   const auto engine = make_worker_engine(scene, settings, setup, thread_count(0), tell_stand_in);
-  Image image(settings.size.width, settings.size.height);
-  const auto sink = [&](int first_row, std::span<const Color> rows) {
-    std::copy(rows.begin(), rows.end(), &image.at(0, first_row));
-  };
-  watched_render(*engine, settings.size, 0, diff.scene, sink);
-  return {std::move(image), NumberFormat::float64};
+  return {watched_image(*engine, settings.size, 0, diff.scene), NumberFormat::float64};
 }
 
 /// The image to judge, which may be a reference itself.

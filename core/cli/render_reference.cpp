@@ -24,13 +24,7 @@ Settings settings(const Scene& scene, int stage, int side) {
 
 Image rendered_fast(const Scene& scene, int stage, int side, unsigned threads) {
   const Settings wanted = settings(scene, stage, side);
-  Image image(wanted.size.width, wanted.size.height);
-  const auto sink = [&](int first_row, std::span<const Color> rows) {
-    std::copy(rows.begin(), rows.end(), &image.at(0, first_row));
-  };
-  const auto engine = make_fast(scene, wanted, {Precision::f64});
-  watched_render(*engine, wanted.size, threads, "stages", sink);
-  return image;
+  return watched_image(*make_fast(scene, wanted, {Precision::f64}), wanted.size, threads, "stages");
 }
 
 /// The oracle's word on every `every`-th pixel.

@@ -6,6 +6,7 @@
 #include "core/submission/worker_engine.hpp"
 #ifdef RAYLAB_WITH_TESTS
 #include "tests/runner.hpp"
+#include "tests/selection.hpp"
 #endif
 
 #include <algorithm>
@@ -70,7 +71,7 @@ std::string tags_of(const std::vector<Chosen>& submissions, const std::string& s
   const bool one_task = selection.find('.') != std::string::npos;
   std::set<std::string> tags;
   for (const std::string_view label : labels_of(submissions, selection)) {
-    tags.insert("[" + std::string(label) + "]~[hard]");
+    tags.insert(test::tests_of_submission(label));
     if (!one_task) tags.insert("[stage" + std::to_string(stage_of(label)) + "][references]");
   }
   std::string all;

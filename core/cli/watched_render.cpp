@@ -53,4 +53,12 @@ RenderTotals watched_render(const Engine& engine, ImageSize size, unsigned threa
   return totals;
 }
 
+Image watched_image(const Engine& engine, ImageSize size, unsigned threads, const std::string& what) {
+  Image image(size.width, size.height);
+  watched_render(engine, size, threads, what, [&](int first_row, std::span<const Color> rows) {
+    std::copy(rows.begin(), rows.end(), &image.at(0, first_row));
+  });
+  return image;
+}
+
 }  // namespace raylab::cli

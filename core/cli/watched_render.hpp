@@ -16,6 +16,9 @@ RenderTotals watched_render(
     const Engine& engine, ImageSize size, unsigned threads, const std::string& what, const RowSink& sink,
     const std::function<void()>& tick = [] {});
 
+/// The whole image, rendered so.
+Image watched_image(const Engine& engine, ImageSize size, unsigned threads, const std::string& what);
+
 /// The number of threads that watched_render() uses for `wanted`.
 unsigned thread_count(unsigned wanted);
 

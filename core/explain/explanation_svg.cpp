@@ -1,4 +1,5 @@
 #include "core/explain/explanation.hpp"
+#include "core/report/page_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -196,17 +197,6 @@ void legend(std::ostream& out) {
   }
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<' || c == '>' || c == '&')
-      out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : "&amp;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 }  // namespace
 
 std::string explanation_svg(const Scene& scene, const Explanation& explanation) {
@@ -223,14 +213,14 @@ std::string explanation_svg(const Scene& scene, const Explanation& explanation) 
   const std::string title = explanation.scene + ", stage " + std::to_string(explanation.settings.stage) +
                             ": the rays of pixel " + std::to_string(explanation.column) + "," +
                             std::to_string(explanation.row);
-  out << "<title>" << escaped(title) << "</title>\n"
+  out << "<title>" << html_escaped(title) << "</title>\n"
       << style << "<rect width='100%' height='100%' fill='#fff'/>\n"
       << "<defs><marker id='end' viewBox='0 0 8 8' refX='7' refY='4' markerWidth='6' markerHeight='6' orient='auto'>"
          "<path d='M0 0L8 4L0 8z' fill='context-stroke'/></marker>\n";
   for (int k = 0; k < 2; ++k)
     out << "<clipPath id='panel" << k << "'><rect x='" << margin + k * (margin + panel_width) << "' y='" << head
         << "' width='" << panel_width << "' height='" << panel_height << "'/></clipPath>";
-  out << "</defs>\n<text class='head' x='" << margin << "' y='26'>" << escaped(title) << "</text>\n";
+  out << "</defs>\n<text class='head' x='" << margin << "' y='26'>" << html_escaped(title) << "</text>\n";
   Drawing drawing(scene);
   double left = margin;
   for (const View& view : views(scene)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <typeinfo>
@@ -32,8 +33,12 @@ void import_task(const ExportedTasks& exported, std::string_view label, Function
   function = reinterpret_cast<Function>(found->function);
 }
 
-bool selects(std::string_view selection, std::string_view label) {
-  return selection == label || selection == label.substr(0, label.find('.'));
+/// Nothing for what is not all digits.
+std::optional<int> whole_number(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc{} && end == text.data() + text.size() && text.find('-') == text.npos;
+  return whole ? std::optional(value) : std::nullopt;
 }
 
 template <class Function>
@@ -51,6 +56,19 @@ const StageInfo& stage_info(int number) { return stage_list()[static_cast<std::s
 
 std::string stage_title(int number) {
   return "stage " + std::to_string(number) + ", " + std::string(stage_info(number).name);
+}
+
+const TaskInfo& task_info(std::string_view label) {
+  const auto tasks = task_list();
+  return *std::find_if(tasks.begin(), tasks.end(), [&](const TaskInfo& task) { return task.label == label; });
+}
+
+bool selects(std::string_view selection, std::string_view task_label) {
+  const std::size_t dash = std::min(selection.find('-'), selection.size());
+  const std::optional<int> first = whole_number(selection.substr(0, dash));
+  const std::optional<int> last = dash < selection.size() ? whole_number(selection.substr(dash + 1)) : first;
+  const int stage = stage_of(task_label);
+  return selection == task_label || (first && last && *first <= stage && stage <= *last);
 }
 
 int stage_of(std::string_view task_label) {

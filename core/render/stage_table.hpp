@@ -50,6 +50,12 @@ const StageInfo& stage_info(int number);
 /// "stage 4, shadows".
 std::string stage_title(int number);
 
+/// The task with that label, which must exist.
+const TaskInfo& task_info(std::string_view label);
+
+/// Does a selection name the task: a task, "5.1", a stage, "4", or stages, "1-3"?
+bool selects(std::string_view selection, std::string_view task_label);
+
 /// The number of the stage that a task belongs to: 5 for "5.1".
 int stage_of(std::string_view task_label);
 
@@ -60,7 +66,7 @@ StageTable import_tasks(const ExportedTasks& exported);
 /// The same of an implementation of some tasks only: the others are null.
 StageTable import_some_tasks(const ExportedTasks& exported);
 
-/// Puts the tasks of `other` that `selection` names, a stage ("4") or a task ("5.1"), into `table`.
+/// Puts the tasks of `other` that `selection` names into `table`.
 /// Throws std::invalid_argument if there is no such stage or task.
 void mix(StageTable& table, const StageTable& other, std::string_view selection);
 

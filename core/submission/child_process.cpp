@@ -58,12 +58,20 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
+/// This program's own, where these "NAME=VALUE" win.
+std::vector<std::string> environment_with(const std::vector<std::string>& more) {
+  std::vector<std::string> environment = more;
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string own = *entry, name = own.substr(0, own.find('=') + 1);
+    const auto is_replaced = [&](const std::string& other) { return other.starts_with(name); };
+    if (std::none_of(more.begin(), more.end(), is_replaced)) environment.push_back(own);
+  }
+  return environment;
+}
+
 /// Starts a program in a group of its own: a Ctrl-C in the terminal reaches raylab alone, which ends the child in its way.
 pid_t start(std::vector<std::string> arguments, const std::vector<std::string>& more_environment, const FileActions& files) {
-  std::vector<std::string> environment;
-  for (char** entry = environ; *entry; ++entry) environment.emplace_back(*entry);
-  environment.insert(environment.end(), more_environment.begin(), more_environment.end());
-
+  std::vector<std::string> environment = environment_with(more_environment);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);

@@ -29,8 +29,8 @@ struct ChildSilent : std::runtime_error {
 /// object does.
 class ChildProcess {
  public:
-  /// `arguments`: the program's path, then its arguments. environment: "NAME=VALUE", in addition to this program's own.
-  /// Throws std::runtime_error if it cannot be started.
+  /// `arguments`: the program's path, then its arguments. environment: "NAME=VALUE", in addition to this program's own, or
+  /// in its place. Throws std::runtime_error if it cannot be started.
   explicit ChildProcess(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;

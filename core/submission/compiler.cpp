@@ -3,13 +3,13 @@
 #include "core/image/data_folder.hpp"
 #include "core/image/partial_file.hpp"
 #include "core/render/stage_table.hpp"
+#include "core/scene/read_file.hpp"
 #include "core/submission/child_process.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <system_error>
 #include <vector>
@@ -45,10 +45,12 @@ void forget_old(const fs::path& folder) {
     if (entry.last_write_time(ignored) < limit) fs::remove_all(entry.path(), ignored);
 }
 
+constexpr std::uintmax_t most_bytes = 1U << 20U;  // of a stage's file, and of what a compiler says of it
+
 std::string content(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw std::runtime_error(path.string() + ": cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  const FileText file = read_file(path, most_bytes);
+  if (!file.text) throw std::runtime_error(path.string() + ": " + file.error);
+  return *file.text;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -61,6 +63,16 @@ std::string hash(const std::string& text) {
   std::ostringstream stream;
   stream << std::hex << std::hash<std::string>{}(text);
   return stream.str();
+}
+
+/// What the compiler says it is. Throws std::runtime_error if there is none.
+std::string compiler_version() {
+  const std::string name = compiler();
+  try {
+    if (const Finished version = run_program({name, "--version"}); version.good) return version.output;
+  } catch (const std::runtime_error&) {  // it cannot be started
+  }
+  throw std::runtime_error(name + ": is no C++ compiler that runs here; install one (g++), or name it in CXX");
 }
 
 /// All that a stage's file can include of raylab.
@@ -136,12 +148,10 @@ StageCompiler::StageCompiler(const CompilerOptions& options) : options_(options)
                                      "-fno-omit-frame-pointer"});
     command_[2] = "-O1";
   }
-  const Finished version = run_program({command_.front(), "--version"});
-  if (!version.good)
-    throw std::runtime_error(command_.front() + ": is no C++ compiler that runs here; install one (g++), or name it in CXX");
+  static const std::string surroundings = compiler_version() + contracts();  // asked once, however many images there are
   const fs::path cache = cache_folder();
   forget_old(cache);
-  folder_ = cache / hash(joined(command_) + version.output + contracts());
+  folder_ = cache / hash(joined(command_) + surroundings);
   fs::create_directories(folder_);
   forget_old(folder_);
 }
@@ -163,8 +173,8 @@ fs::path StageCompiler::prepared(const std::string& name, const std::vector<std:
 StageCompiler::Built StageCompiler::build(int stage, const fs::path& source) const {
   const std::string text = content(source);
   const std::string name = hash(source.string() + '\n' + text) + ".so";
-  if (fs::exists(folder_ / name) && fs::exists(folder_ / (name + ".txt")))
-    return {folder_ / name, content(folder_ / (name + ".txt"))};
+  const fs::path said = folder_ / (name + ".txt");
+  if (fs::exists(folder_ / name)) return {folder_ / name, fs::exists(said) ? content(said) : ""};
 
   const fs::path header = folder_ / "common.hpp";
   if (!fs::exists(header)) write_text(header, common_headers);
@@ -189,7 +199,7 @@ StageCompiler::Built StageCompiler::build(int stage, const fs::path& source) con
   if (options_.sanitize) std::erase(command, "-Wl,-z,defs");  // the sanitizers' functions are the worker's
   const Finished finished = run_program(command);
   if (!finished.good) throw DoesNotCompile(finished.output);
-  write_text(folder_ / (name + ".txt"), finished.output);
+  if (!finished.output.empty()) write_text(said, finished.output);
   library.commit();
   return {folder_ / name, finished.output};
 }

@@ -28,12 +28,6 @@ struct ToWorker {
 
 std::string title(const TaskInfo& task) { return "task " + std::string(task.label) + " " + std::string(task.name); }
 
-std::size_t place_of(const TaskInfo& task) {
-  std::size_t place = 0;
-  while (task_list()[place].label != task.label) ++place;
-  return place;
-}
-
 }  // namespace
 
 RemoteTable::RemoteTable(WorkerSetup setup) : setup_(std::move(setup)) { newest = this; }
@@ -45,7 +39,7 @@ RemoteTable::~RemoteTable() {
 StageTable RemoteTable::table() const { return routed_table<ToWorker>(); }
 
 std::string RemoteTable::ask(const TaskInfo& task, const std::string& arguments) {
-  int& losses = losses_[place_of(task)];
+  int& losses = losses_[static_cast<std::size_t>(&task_info(task.label) - task_list().data())];
   if (losses == most_losses)
     throw std::runtime_error(title(task) + " is not asked any more: it has ended its process " +
                              std::to_string(most_losses) + " times");

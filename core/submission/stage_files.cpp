@@ -11,23 +11,6 @@ namespace raylab {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// selection: a task, "5.1", a stage, "4", or stages, "1-3".
-bool selects(const std::string& selection, const TaskInfo& task) {
-  const std::size_t dash = selection.find('-');
-  const std::string stage = std::to_string(stage_of(task.label));
-  if (dash == std::string::npos) return selection == task.label || selection == stage;
-  const std::string first = selection.substr(0, dash), last = selection.substr(dash + 1);
-  const auto is_number = [](const std::string& text) {
-    return !text.empty() && text.size() <= 2 && text.find_first_not_of("0123456789") == text.npos;
-  };
-  return is_number(first) && is_number(last) && std::stoi(first) <= stage_of(task.label) &&
-         stage_of(task.label) <= std::stoi(last);
-}
-
-}  // namespace
-
 Chosen parse_chosen(const std::string& text) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos || fs::is_directory(text)) return {text, {}};
@@ -35,7 +18,7 @@ Chosen parse_chosen(const std::string& text) {
   for (std::size_t start = colon + 1; start <= text.size();) {
     const std::string selection = text.substr(start, text.find(',', start) - start);
     const auto tasks = task_list();
-    if (std::none_of(tasks.begin(), tasks.end(), [&](const TaskInfo& task) { return selects(selection, task); }))
+    if (std::none_of(tasks.begin(), tasks.end(), [&](const TaskInfo& task) { return selects(selection, task.label); }))
       throw std::invalid_argument("--with " + text + ": there is no stage or task '" + selection +
                                   "': 'raylab stages' lists them");
     chosen.selections.push_back(selection);
@@ -83,7 +66,7 @@ std::vector<std::string> misnamed_files(const Chosen& chosen) {
 std::vector<std::string> chosen_tasks(const Chosen& chosen, int stage) {
   std::vector<std::string> labels;
   for (const TaskInfo& task : task_list()) {
-    const auto selected = [&](const std::string& selection) { return selects(selection, task); };
+    const auto selected = [&](const std::string& selection) { return selects(selection, task.label); };
     const auto& all = chosen.selections;
     if (stage_of(task.label) == stage && (all.empty() || std::any_of(all.begin(), all.end(), selected)))
       labels.emplace_back(task.label);

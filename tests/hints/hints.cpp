@@ -14,15 +14,6 @@ bool all_alike(const std::vector<Answer>& a, const std::vector<Answer>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), alike);
 }
 
-StageTable with_mistake(const Mistake& mistake, StageTable table) {
-  mistake.put_into(table);
-  return table;
-}
-
-const TaskInfo& task_of(std::string_view label) {
-  return *std::find_if(task_list().begin(), task_list().end(), [&](const TaskInfo& task) { return task.label == label; });
-}
-
 /// The failing probe that is quickest to work by hand: the shortest.
 const WrongAnswer& simplest(const std::vector<WrongAnswer>& wrong) {
   return *std::min_element(wrong.begin(), wrong.end(), [](const WrongAnswer& a, const WrongAnswer& b) {
@@ -58,7 +49,7 @@ std::vector<Hint> find_hints(const StageTable& solution, const AskTask& ask, con
   for (const auto& of_task : probes) {
     const std::string_view label = of_task.first;
     const std::vector<std::string>& inputs = of_task.second;
-    const TaskInfo& task = task_of(label);
+    const TaskInfo& task = task_info(label);
     const std::vector<Answer> wanted = answers(task, inputs, solution);
     const std::vector<Answer> got = answers(task, inputs, ask);
     std::vector<WrongAnswer> wrong;
@@ -77,7 +68,7 @@ std::vector<Hint> find_hints(const StageTable& solution, const AskTask& ask, con
     Hint hint{&task, observed(task, wrong, inputs.size()), where_to_look(task), {}};
     for (const Mistake& mistake : known_mistakes()) {
       if (mistake.task != label || mistake.shows == Shows::nowhere) continue;
-      const StageTable table = with_mistake(mistake, solution);
+      const StageTable table = with(mistake, solution);
       if (!explains(table)) continue;
       hint.mistake += (hint.mistake.empty() ? "" : ", or: ") + std::string(mistake.name);
       named.push_back(table);

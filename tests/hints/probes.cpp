@@ -23,10 +23,6 @@ const std::map<std::string_view, std::vector<std::string>> more_inputs{
     {"5.3", {R"({"bounce":9,"max_bounces":5,"weight":0.5})", R"({"bounce":4,"max_bounces":5,"weight":0.25})"}},
 };
 
-const TaskInfo& task_of(std::string_view label) {
-  return *std::find_if(task_list().begin(), task_list().end(), [&](const TaskInfo& task) { return task.label == label; });
-}
-
 /// All that the task's unit tests ask.
 std::vector<std::string> inputs_of_tests(const StageTable& solution, std::string_view label) {
   std::set<std::string> seen;
@@ -49,9 +45,7 @@ std::vector<std::vector<Answer>> known_answers(const StageTable& solution, const
   std::vector<std::vector<Answer>> all{answers(task, inputs, solution)};
   for (const Mistake& mistake : known_mistakes()) {
     if (mistake.task != task.label || mistake.shows == Shows::nowhere) continue;
-    StageTable wrong = solution;
-    mistake.put_into(wrong);
-    all.push_back(answers(task, inputs, wrong));
+    all.push_back(answers(task, inputs, with(mistake, solution)));
   }
   return all;
 }
@@ -74,7 +68,7 @@ std::set<std::size_t> telling_apart(const std::vector<std::vector<Answer>>& know
 
 std::vector<std::string> chosen_inputs(const StageTable& solution, std::string_view label) {
   const std::vector<std::string> inputs = inputs_of_tests(solution, label);
-  std::set<std::size_t> places = telling_apart(known_answers(solution, task_of(label), inputs));
+  std::set<std::size_t> places = telling_apart(known_answers(solution, task_info(label), inputs));
   const std::size_t step = std::max<std::size_t>(1, inputs.size() / spread_probes);
   for (std::size_t k = 0; k < inputs.size(); k += step) places.insert(k);
   std::vector<std::string> chosen;

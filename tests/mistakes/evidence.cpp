@@ -7,12 +7,6 @@
 
 namespace raylab::test {
 
-StageTable with(const Mistake& mistake, const StageTable& right) {
-  StageTable table = right;
-  mistake.put_into(table);
-  return table;
-}
-
 double counted(const Mistake& mistake, const Scores& scores) {
   return mistake.shows == Shows::in_floats ? scores.floats : std::min(scores.floats, scores.bytes);
 }

@@ -7,9 +7,6 @@
 
 namespace raylab::test {
 
-/// `right` with the mistake in it.
-StageTable with(const Mistake& mistake, const StageTable& right);
-
 /// An image of a mistake's table, and its scores.
 struct Evidence {
   std::string scene = "-";  ///< "scene3, stage 5"

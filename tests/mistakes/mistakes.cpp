@@ -6,6 +6,12 @@
 
 namespace raylab::test {
 
+StageTable with(const Mistake& mistake, const StageTable& right) {
+  StageTable table = right;
+  mistake.put_into(table);
+  return table;
+}
+
 std::span<const Mistake> known_mistakes() {
   static const std::vector<Mistake> all = [] {
     std::vector<Mistake> joined;

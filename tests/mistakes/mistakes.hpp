@@ -25,6 +25,9 @@ struct Mistake {
   std::string_view why = {};  ///< why it shows in less than all images: what hides it or, if nowhere, the proof
 };
 
+/// `right` with the mistake in it.
+StageTable with(const Mistake& mistake, const StageTable& right);
+
 /// All of them, in the order of the tasks.
 std::span<const Mistake> known_mistakes();
 
