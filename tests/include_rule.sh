@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Who may include what: the one-way rule math <- scene <- image <- render <- calls <- references <- report <- submission <- explain <- cli, and each library's one user.
+# Who may include what: the one-way rule math <- scene <- image <- render <- calls <- references <- report <- submission <- explain <- results <- grade <- cli, and each library's one user.
 #   tests/include_rule.sh SOURCE_FOLDER
 set -euo pipefail
 cd "$1"
@@ -40,6 +40,7 @@ rule 'core/references/*' core/math/ core/scene/ core/image/ core/render/ core/ca
 rule 'core/submission/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/submission/
 rule 'core/explain/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/report/ core/submission/ core/explain/
 rule 'core/report/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/ core/report/
+rule 'core/results/*.?pp' core/math/ core/scene/ core/image/ core/calls/ core/report/ core/results/
 rule 'core/cli/*.?pp' core/ 'bench/report/(bench|compare).hpp' 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp' 'tests/(runner|selection|hints/hints).hpp'
 rule 'bench/report/*.?pp' core/ bench/ 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp'
 rule 'bench/variants/*.?pp' core/ bench/variants/

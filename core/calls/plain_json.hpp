@@ -216,4 +216,22 @@ struct PlainJson<T> {
   }
 };
 
+// ---- Whole texts ----------------------------------------------------------------------------------------------------
+
+/// `value` as JSON on one line, its numbers in as few digits as read back to the same.
+template <class T>
+std::string to_json(const T& value) {
+  std::string out;
+  PlainJson<T>::write(out, value, json_number);
+  return out;
+}
+
+/// And back. Throws InputError.
+template <class T>
+T from_json(std::string_view text) {
+  T value{};
+  PlainJson<T>::read(parse_json(text), value, JsonPlace{});
+  return value;
+}
+
 }  // namespace raylab

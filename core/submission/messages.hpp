@@ -45,21 +45,6 @@ RAYLAB_FIELDS(TraceAnswer, RAYLAB_FIELD(pixels) RAYLAB_FIELD(rays))
 /// The descriptor on which a worker finds the line to raylab.
 inline constexpr int worker_channel = 3;
 
-template <class T>
-std::string to_json(const T& value) {
-  std::string out;
-  PlainJson<T>::write(out, value, json_number);
-  return out;
-}
-
-/// Throws InputError.
-template <class T>
-T from_json(std::string_view text) {
-  T value{};
-  PlainJson<T>::read(parse_json(text), value, JsonPlace{});
-  return value;
-}
-
 /// "call 2.2 {...}" taken apart at its first blank: "call" and the rest.
 inline std::pair<std::string_view, std::string_view> first_word(std::string_view line) {
   const std::size_t blank = std::min(line.find(' '), line.size());
