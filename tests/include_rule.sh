@@ -41,6 +41,7 @@ rule 'core/submission/*.?pp' core/math/ core/scene/ core/image/ core/render/ cor
 rule 'core/explain/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/report/ core/submission/ core/explain/
 rule 'core/report/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/references/ core/report/
 rule 'core/results/*.?pp' core/math/ core/scene/ core/image/ core/calls/ core/report/ core/results/
+rule 'core/grade/*.?pp' core/math/ core/scene/ core/image/ core/render/ core/calls/ core/submission/ core/explain/ core/results/ core/grade/
 rule 'core/cli/*.?pp' core/ 'bench/report/(bench|compare).hpp' 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp' 'tests/(runner|selection|hints/hints).hpp'
 rule 'bench/report/*.?pp' core/ bench/ 'reference/(engine/(engine|tasks)|oracle/(oracle|tasks)).hpp'
 rule 'bench/variants/*.?pp' core/ bench/variants/

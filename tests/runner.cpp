@@ -71,7 +71,10 @@ struct TotalsListener : ListenerBase {
     return ListenerBase::assertionEnded(stats);
   }
   void testCaseEnded(const Catch::TestCaseStats& test) override {
-    if (test.totals.testCases.failed > 0) totals.failures.push_back(running);
+    if (test.totals.testCases.failed > 0) {
+      totals.failures.push_back(running);
+      totals.texts.push_back(first_failure);
+    }
     if (told) {
       std::cout << (test.totals.testCases.failed > 0 ? "FAILED  " : "passed  ") << running << '\n' << first_failure;
       if (more_failures > 0) std::cout << "        and " << more_failures << " more\n";

@@ -17,6 +17,7 @@ struct Totals {
   std::size_t passed = 0;
   std::size_t failed = 0;
   std::vector<std::string> failures = {};  ///< the names of those that failed, in their order
+  std::vector<std::string> texts = {};     ///< the first failure of each of them, in some lines
 };
 
 /// Runs the tests that a Catch2 selection like "[stage5]" or "[5.1]" names, all for an empty one, on `table`. The report

@@ -35,12 +35,12 @@ StageTable routed_table() {
 
 /// What the task at `member` of a StageTable returns.
 template <class Function>
-struct TaskResult;
+struct ReturnOf;
 template <class Result, class... Parameters>
-struct TaskResult<Result (*StageTable::*)(Parameters...)> {
+struct ReturnOf<Result (*StageTable::*)(Parameters...)> {
   using Type = Result;
 };
 template <auto member>
-using ResultOf = typename TaskResult<decltype(member)>::Type;
+using ResultOf = typename ReturnOf<decltype(member)>::Type;
 
 }  // namespace raylab

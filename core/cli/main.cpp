@@ -35,6 +35,9 @@ int main(int argc, char** argv) {
 #ifdef RAYLAB_WITH_BENCH
   add_bench(app);
 #endif
+#ifdef RAYLAB_WITH_GRADE
+  add_grade(app);
+#endif
   add_reference(app);
   add_doctor(app);
 

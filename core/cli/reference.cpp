@@ -189,7 +189,8 @@ class ReferenceMaker {
     const fs::path folder(stage_info(stage).folder);
     const fs::path exr = folder / (subject.name + ".exr");
     const fs::path png = folder / (subject.name + ".png");
-    write_reference(data_ / renders / exr, oracle_reference(subject, stage, 1, options_.threads));
+    write_reference(data_ / renders / exr,
+                    oracle_reference(subject, stage, reference_size(subject.scene), 1, options_.threads));
     write_image(data_ / renders / png, picture(subject.scene, stage, options_.threads));
     return {stage,
             {exr.generic_string(), file_hash(data_ / renders / exr)},
@@ -201,7 +202,8 @@ class ReferenceMaker {
     const int every = options_.all ? 1 : sample_every;
     const std::string name = (data_ / renders / entry.exr.file).string();
     const Reference kept = read_reference(name);
-    const Reference now = as_stored(oracle_reference(subject, entry.stage, every, options_.threads));
+    const Reference now =
+        as_stored(oracle_reference(subject, entry.stage, reference_size(subject.scene), every, options_.threads));
     if (kept.value.width != now.value.width || kept.value.height != now.value.height) {
       broken.push_back(name + ": has another size than the scene gives: run 'raylab reference --update'");
       return 0;

@@ -21,9 +21,12 @@ struct Subject {
 /// The stages that need a reference: those whose image is not that of the stage before.
 std::vector<int> stages_that_change(const Scene& scene, unsigned threads);
 
+/// The size of a scene's references.
+ImageSize reference_size(const Scene& scene);
+
 /// The oracle's word on every `every`-th pixel, those that is_sampled() names, as a reference; the others are black.
 /// Throws Failure if the oracle cannot decide a pixel.
-Reference oracle_reference(const Subject& subject, int stage, int every, unsigned threads);
+Reference oracle_reference(const Subject& subject, int stage, ImageSize size, int every, unsigned threads);
 
 /// The picture for people: larger, by the fast engine in double.
 Image picture(const Scene& scene, int stage, unsigned threads);

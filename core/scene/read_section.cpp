@@ -80,6 +80,21 @@ bool Section::text(std::string_view key, Need need, std::string& value) {
   return true;
 }
 
+bool Section::texts(std::string_view key, Need need, std::vector<std::string>& values) {
+  const TomlValue* found = find_value(key, need, "a list of strings");
+  if (found == nullptr) return false;
+  const auto* list = std::get_if<TomlList>(&found->data);
+  if (list == nullptr) return wrong(key, "must be a list of strings" + got(*found));
+  std::vector<std::string> all;
+  for (const TomlValue& value : *list) {
+    const auto* text = std::get_if<std::string>(&value.data);
+    if (text == nullptr || !is_one_line(*text)) return wrong(key, "must be a list of strings, each on one line");
+    all.push_back(*text);
+  }
+  values = std::move(all);
+  return true;
+}
+
 bool Section::vector(std::string_view key, Need need, Vec3& value, Rules rules) {
   const TomlValue* found = find_value(key, need, "a list of 3 numbers");
   if (found == nullptr) return false;

@@ -27,6 +27,8 @@ class Section {
   bool flag(std::string_view key, Need need, bool& value);
   /// A text on one line.
   bool text(std::string_view key, Need need, std::string& value);
+  /// A list of texts, each on one line.
+  bool texts(std::string_view key, Need need, std::vector<std::string>& values);
   /// A list of three numbers, each of which keeps `rules`.
   bool vector(std::string_view key, Need need, Vec3& value, Rules rules);
   /// A vector of any length but zero.

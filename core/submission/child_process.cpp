@@ -14,7 +14,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -51,7 +53,7 @@ class FileActions {
   FileActions& operator=(const FileActions&) = delete;
 
   void duplicate(int from, int to) { posix_spawn_file_actions_adddup2(&actions_, from, to); }
-  void open_nothing(int descriptor) { posix_spawn_file_actions_addopen(&actions_, descriptor, "/dev/null", O_RDONLY, 0); }
+  void open_nothing(int descriptor) { posix_spawn_file_actions_addopen(&actions_, descriptor, "/dev/null", O_RDWR, 0); }
   const posix_spawn_file_actions_t* get() const { return &actions_; }
 
  private:
@@ -95,9 +97,8 @@ int wait_for_end(pid_t pid) {
   return status;
 }
 
-std::string ending(int status) {
-  if (WIFEXITED(status)) return "ended the program with exit code " + std::to_string(WEXITSTATUS(status));
-  switch (WTERMSIG(status)) {
+std::string crash(int signal) {
+  switch (signal) {
     case SIGSEGV:
     case SIGBUS:
       return "crashed: memory that it may not touch (a bad index or pointer), or a recursion without end";
@@ -109,24 +110,37 @@ std::string ending(int status) {
       return "crashed: an impossible instruction, as at the end of a function without a return";
     case SIGKILL:
       return "was killed, as for taking too much memory";
+    case SIGXCPU:
+      return "was killed, for taking too much processor time";
+    case SIGXFSZ:
+      return "was killed, for writing a file";
     default:
-      return std::string("crashed: ") + strsignal(WTERMSIG(status));
+      return std::string("crashed: ") + strsignal(signal);
   }
+}
+
+ChildEnded ending(int status, bool codes_are_signals) {
+  constexpr int first_signal_code = 128;
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+  if (codes_are_signals && code > first_signal_code) return {crash(code - first_signal_code), code - first_signal_code};
+  if (WIFEXITED(status)) return {"ended the program with exit code " + std::to_string(code), 0};
+  return {crash(WTERMSIG(status)), WTERMSIG(status)};
 }
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+ChildProcess::ChildProcess(const ChildSetup& setup) : codes_are_signals_(setup.codes_are_signals) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) fail("no line to a child process", errno);
   channel_ = moved_up(ends[0]);
   const int childs = moved_up(ends[1]);
   FileActions files;
   files.open_nothing(STDIN_FILENO);
+  if (setup.silent) files.open_nothing(STDERR_FILENO);
   files.duplicate(STDERR_FILENO, STDOUT_FILENO);
   files.duplicate(childs, worker_channel);
   try {
-    pid_ = start(arguments, environment, files);
+    pid_ = start(setup.arguments, setup.environment, files);
   } catch (...) {
     close(channel_);
     close(childs);
@@ -156,7 +170,7 @@ void ChildProcess::fail_ended() {
   }
   kill(-pid_, SIGKILL);
   pid_ = -1;
-  throw ChildEnded(ending(status));
+  throw ending(status, codes_are_signals_);
 }
 
 /// Until the line can be read or written.
@@ -202,7 +216,7 @@ std::string ChildProcess::receive(Clock::time_point deadline, const std::atomic<
   }
 }
 
-Finished run_program(const std::vector<std::string>& arguments) {
+Finished run_program(const std::vector<std::string>& arguments, const RunLimits& limits) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) fail("no pipe to a child process", errno);
   const int output = moved_up(ends[0]), childs = moved_up(ends[1]);
@@ -220,16 +234,35 @@ Finished run_program(const std::vector<std::string>& arguments) {
   }
   close(childs);
   Finished finished{false, {}};
+  const auto deadline = Clock::now() + limits.time;
   std::array<char, 65536> buffer;
-  for (ssize_t got = 1; got != 0;) {
+  bool late = false;
+  for (ssize_t got = 1; got != 0 && !late;) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    pollfd line{output, POLLIN, 0};
+    late = left <= 0;
+    if (late || poll(&line, 1, static_cast<int>(std::min<long>(left, 1000))) <= 0) continue;
     got = read(output, buffer.data(), buffer.size());
-    if (got > 0) finished.output.append(buffer.data(), static_cast<std::size_t>(got));
+    if (got > 0)
+      finished.output.append(buffer.data(), std::min(static_cast<std::size_t>(got), limits.output - finished.output.size()));
     if (got < 0 && errno != EINTR) break;
   }
   close(output);
+  if (late) finished.output += "\nit took more than " + std::to_string(limits.time.count()) + " seconds and was ended\n";
+  if (late) kill(-pid, SIGKILL);
   const int status = wait_for_end(pid);
-  finished.good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  kill(-pid, SIGKILL);
+  finished.good = !late && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   return finished;
+}
+
+std::string find_program(const std::string& name) {
+  if (name.find('/') != std::string::npos) return name;
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (const std::string file = folder + '/' + name; access(file.c_str(), X_OK) == 0) return file;
+  return {};
 }
 
 }  // namespace raylab

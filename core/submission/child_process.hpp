@@ -15,23 +15,30 @@ namespace raylab {
 
 using Clock = std::chrono::steady_clock;
 
-/// How a child ended: "crashed: ...", "ended by itself with exit code 0".
+/// How a child ended: "crashed: ...", "ended the program with exit code 0".
 struct ChildEnded : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  ChildEnded(const std::string& what, int by) : std::runtime_error(what), signal(by) {}
+  int signal;  ///< that ended it, or 0
 };
 /// It said nothing in time, or far too much.
 struct ChildSilent : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A program in a process group of its own, with a line to it in both directions on descriptor `worker_channel`. What it
-/// prints goes to this program's standard error. It ends, with all that it started and that stayed in its group, when this
-/// object does.
+/// How a program is started.
+struct ChildSetup {
+  std::vector<std::string> arguments;         ///< the program's path, then its arguments
+  std::vector<std::string> environment = {};  ///< "NAME=VALUE", in addition to this program's own, or in its place
+  bool silent = false;             ///< is what it prints dropped? If not, it goes to this program's standard error
+  bool codes_are_signals = false;  ///< does the exit code 128 + N mean signal N, as behind another program?
+};
+
+/// A program in a process group of its own, with a line to it in both directions on descriptor `worker_channel`. It ends,
+/// with all that it started and that stayed in its group, when this object does.
 class ChildProcess {
  public:
-  /// `arguments`: the program's path, then its arguments. environment: "NAME=VALUE", in addition to this program's own, or
-  /// in its place. Throws std::runtime_error if it cannot be started.
-  explicit ChildProcess(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
+  /// Throws std::runtime_error if it cannot be started.
+  explicit ChildProcess(const ChildSetup& setup);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -48,14 +55,23 @@ class ChildProcess {
 
   pid_t pid_ = -1;
   int channel_ = -1;
+  bool codes_are_signals_;
   std::string received_;
 };
 
-/// Runs a program to its end; whether its exit code was 0, and what it printed on both streams.
+/// Runs a program to its end; whether its exit code was 0, and what it printed on both streams. One that takes longer is
+/// ended, with all that it started and that stayed in its group; what it prints beyond the limit is dropped.
 struct Finished {
   bool good;
   std::string output;
 };
-Finished run_program(const std::vector<std::string>& arguments);
+struct RunLimits {
+  std::chrono::seconds time{3600};
+  std::size_t output = std::size_t{1} << 20U;  ///< bytes
+};
+Finished run_program(const std::vector<std::string>& arguments, const RunLimits& limits = {});
+
+/// The path of a program that the user's PATH has, or that is a path; empty if there is none.
+std::string find_program(const std::string& name);
 
 }  // namespace raylab

@@ -6,10 +6,13 @@
 #include "core/scene/read_file.hpp"
 #include "core/submission/child_process.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <system_error>
 #include <vector>
@@ -37,6 +40,11 @@ fs::path cache_folder() {
   return fs::temp_directory_path() / "raylab-cache";
 }
 
+/// One that every user can read: in a sandbox root becomes another one.
+fs::path shared_cache_folder() {
+  return geteuid() == 0 && variable("XDG_CACHE_HOME").empty() ? "/var/cache/raylab" : cache_folder();
+}
+
 /// Removes from a folder of the cache what nobody has made anew for a month.
 void forget_old(const fs::path& folder) {
   const auto limit = fs::file_time_type::clock::now() - std::chrono::hours(24 * 30);
@@ -45,6 +53,7 @@ void forget_old(const fs::path& folder) {
     if (entry.last_write_time(ignored) < limit) fs::remove_all(entry.path(), ignored);
 }
 
+const char* const exporting_file = "export_tasks.cpp";
 constexpr std::uintmax_t most_bytes = 1U << 20U;  // of a stage's file, and of what a compiler says of it
 
 std::string content(const fs::path& path) {
@@ -57,6 +66,12 @@ std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += word + ' ';
   return text;
+}
+
+std::string joined_contents(const std::map<std::string, std::string>& files) {
+  std::string all;
+  for (const auto& [name, text] : files) all += name + text;
+  return all;
 }
 
 std::string hash(const std::string& text) {
@@ -75,18 +90,20 @@ std::string compiler_version() {
   throw std::runtime_error(name + ": is no C++ compiler that runs here; install one (g++), or name it in CXX");
 }
 
-/// All that a stage's file can include of raylab.
-std::string contracts() {
-  std::string all;
-  for (const char* const folder : {"core/math", "stages"}) {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(data_folder(folder)))
-      if (entry.path().extension() == ".hpp" || entry.path().filename() == "export_tasks.cpp") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const fs::path& file : files) all += content(file);
-  }
+/// All that a stage's file can include of raylab, and what exports its tasks: "stages/01_rays/stage.hpp" and its content.
+std::map<std::string, std::string> contracts() {
+  const fs::path root = data_folder("stages").parent_path();
+  std::map<std::string, std::string> all;
+  for (const fs::path& folder : {root / "core" / "math", root / "stages"})
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.path().extension() == ".hpp" || entry.path().filename() == exporting_file)
+        all[fs::relative(entry.path(), root).string()] = content(entry.path());
   return all;
 }
+
+// Of one strange file: a usual one takes a second and 200 MB.
+constexpr SandboxLimits compile_limits{std::int64_t{2} << 30U, 30, std::int64_t{64} << 20U};
+constexpr RunLimits compile_run{std::chrono::seconds(60), std::size_t{64} << 10U};
 
 /// As a string literal of C++.
 std::string quoted(const std::string& text) {
@@ -115,6 +132,8 @@ const char* const common_headers = R"(#include "core/math/camera.hpp"
 #include "core/math/task_export.hpp"
 #include "core/math/vec3.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -129,7 +148,6 @@ const char* const common_headers = R"(#include "core/math/camera.hpp"
 }  // namespace
 
 StageCompiler::StageCompiler(const CompilerOptions& options) : options_(options) {
-  const fs::path root = data_folder("stages").parent_path();
   command_ = {compiler(),
               "-std=c++20",
               "-O2",
@@ -141,18 +159,28 @@ StageCompiler::StageCompiler(const CompilerOptions& options) : options_(options)
               "-Wextra",
               "-Wno-unused-parameter",
               "-Wno-missing-field-initializers",
-              "-DRAYLAB_IMPLEMENTATION=submission",
-              "-I" + root.string()};
+              "-DRAYLAB_IMPLEMENTATION=submission"};
   if (options.sanitize) {
     command_.insert(command_.end(), {"-D_GLIBCXX_ASSERTIONS", "-fsanitize=address,undefined", "-fno-sanitize-recover=all",
                                      "-fno-omit-frame-pointer"});
     command_[2] = "-O1";
   }
-  static const std::string surroundings = compiler_version() + contracts();  // asked once, however many images there are
-  const fs::path cache = cache_folder();
-  forget_old(cache);
-  folder_ = cache / hash(joined(command_) + surroundings);
+  static const std::map<std::string, std::string> headers = contracts();  // read once, however many images there are
+  static const std::string version = compiler_version();
+  const fs::path cache = options.sandbox ? shared_cache_folder() : cache_folder();
+  root_ = data_folder("stages").parent_path();
+  folder_ = cache / hash(joined(command_) + root_.string() + version + joined_contents(headers));
+  made_ = options.sandbox ? options.sandbox->room() : folder_;
   fs::create_directories(folder_);
+  if (options.sandbox) {
+    // There are only the system's folders there, and what its user may read.
+    command_.front() = fs::canonical(find_program(command_.front())).string();
+    root_ = folder_ / "include";
+    for (const auto& [name, text] : headers)
+      if (!fs::exists(root_ / name)) write_text(root_ / name, text);
+  }
+  command_.push_back("-I" + root_.string());
+  forget_old(cache);
   forget_old(folder_);
 }
 
@@ -170,38 +198,70 @@ fs::path StageCompiler::prepared(const std::string& name, const std::vector<std:
   return path;
 }
 
-StageCompiler::Built StageCompiler::build(int stage, const fs::path& source) const {
-  const std::string text = content(source);
-  const std::string name = hash(source.string() + '\n' + text) + ".so";
-  const fs::path said = folder_ / (name + ".txt");
-  if (fs::exists(folder_ / name)) return {folder_ / name, fs::exists(said) ? content(said) : ""};
+void StageCompiler::prepare() const {
+  for (const StageInfo& stage : stage_list()) exports(stage.number);
+}
 
-  const fs::path header = folder_ / "common.hpp";
-  if (!fs::exists(header)) write_text(header, common_headers);
-  prepared("common.hpp.gch", {"-x", "c++-header", header.string()});
+/// What every file includes first, precompiled.
+fs::path StageCompiler::header() const {
+  const fs::path path = folder_ / "common.hpp";
+  if (!fs::exists(path)) write_text(path, common_headers);
+  prepared("common.hpp.gch", {"-x", "c++-header", path.string()});
+  return path;
+}
+
+/// The object that hands out a stage's tasks.
+fs::path StageCompiler::exports(int stage) const {
   const std::string folder(stage_info(stage).folder);
   std::string macro = "RAYLAB_TASKS_" + folder;
   std::transform(macro.begin(), macro.end(), macro.begin(), [](unsigned char c) { return std::toupper(c); });
-  const fs::path exports =
-      prepared(folder + ".o", {"-include", header.string(), "-DRAYLAB_STAGE_HEADER=\"stages/" + folder + "/stage.hpp\"",
-                               "-DRAYLAB_STAGE_TASKS=" + macro, "-c", data_folder("stages/export_tasks.cpp").string()});
+  return prepared(folder + ".o", {"-include", header().string(), "-DRAYLAB_STAGE_HEADER=\"stages/" + folder + "/stage.hpp\"",
+                                  "-DRAYLAB_STAGE_TASKS=" + macro, "-c", (root_ / "stages" / exporting_file).string()});
+}
 
+StageCompiler::Built StageCompiler::build(int stage, const fs::path& source) const {
+  return build_text(stage, content(source), source.string());
+}
+
+StageCompiler::Built StageCompiler::build_text(int stage, const std::string& text, const std::string& shown) const {
+  const std::string name = hash(shown + '\n' + text) + ".so";
+  const fs::path said = made_ / (name + ".txt");
+  if (fs::exists(made_ / name)) return {made_ / name, fs::exists(said) ? content(said) : ""};
+
+  const fs::path common = header(), exporter = exports(stage);
   // A copy, so that it finds no other files of its folder: a submission is its stages' files and nothing else.
-  PartialFile library(folder_ / name), copy(folder_ / (name + ".cpp"));
+  PartialFile library(made_ / name), copy(made_ / (name + ".cpp"));
   {
     std::ofstream stream(copy.temporary(), std::ios::binary);
-    stream << "#line 1 " << quoted(source.string()) << '\n' << text;
+    stream << "#line 1 " << quoted(shown) << '\n' << text;
   }
-  std::vector<std::string> command = command_;
-  command.insert(command.end(), {options_.color ? "-fdiagnostics-color=always" : "-fdiagnostics-color=never", "-include",
-                                 header.string(), "-shared", "-x", "c++", copy.temporary().string(), "-x", "none",
-                                 exports.string(), "-Wl,-z,defs", "-o", library.temporary().string()});
-  if (options_.sanitize) std::erase(command, "-Wl,-z,defs");  // the sanitizers' functions are the worker's
-  const Finished finished = run_program(command);
+  const Finished finished =
+      compile({options_.color ? "-fdiagnostics-color=always" : "-fdiagnostics-color=never", "-include", common.string(),
+               "-shared", "-x", "c++", copy.temporary().string(), "-x", "none", exporter.string(), "-Wl,-z,defs"},
+              copy.temporary(), library.temporary());
   if (!finished.good) throw DoesNotCompile(finished.output);
   if (!finished.output.empty()) write_text(said, finished.output);
   library.commit();
-  return {folder_ / name, finished.output};
+  return {made_ / name, finished.output};
+}
+
+/// Makes `library` of `text`, which is among the arguments.
+Finished StageCompiler::compile(std::vector<std::string> arguments, const fs::path& text, const fs::path& library) const {
+  arguments.insert(arguments.begin(), command_.begin(), command_.end());
+  if (options_.sanitize) std::erase(arguments, "-Wl,-z,defs");  // the sanitizers' functions are the worker's
+  const Sandbox* const sandbox = options_.sandbox;
+  if (!sandbox) {
+    arguments.insert(arguments.end(), {"-o", library.string()});
+    return run_program(arguments);
+  }
+  const fs::path folder = sandbox->writable_folder(), made = folder / "stage.so";
+  arguments.insert(arguments.end(), {"-o", made.string()});
+  const Finished finished =
+      run_program(sandbox->command({arguments, {folder_, text}, folder, true, compile_limits}), compile_run);
+  const bool good = finished.good && fs::is_regular_file(fs::symlink_status(made));
+  if (good) fs::copy_file(made, library, fs::copy_options::overwrite_existing);
+  fs::remove_all(folder);
+  return {good, finished.output};
 }
 
 std::vector<std::string> StageCompiler::worker_environment() const {

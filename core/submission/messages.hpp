@@ -4,7 +4,8 @@
 //
 //   raylab -> worker                         worker -> raylab
 //                                            ready {}                     once, when all code is loaded
-//   call 2.2 {"ray": ..., "sphere": ...}     answer RESULT | unwritten "task 2.2 ..." | failed "what was thrown"
+//   call 2.2 {"ray": ..., "sphere": ...}     answer RESULT | unwritten "task 2.2 ..." | failed "what was thrown" |
+//                                            exhausted "what is lacking: memory"
 //   scene {"scene": ..., "settings": ...}    answer {} | unwritten ... | failed ...
 //   trace {"row": 3, "column": 0, "pixels": 32}   answer {"pixels": [...], "rays": ...} | unwritten ... | failed ...
 //   announce {}                              answer {}; from then on, before each call while it traces:

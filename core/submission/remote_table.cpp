@@ -3,6 +3,7 @@
 #include "core/calls/call_function.hpp"
 #include "core/calls/call_task.hpp"
 #include "core/calls/routed_table.hpp"
+#include "core/scene/diagnostic.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -19,18 +20,29 @@ struct ToWorker {
   }
 
   template <auto member, class... Parameters>
-  auto call(const TaskInfo& task, const Parameters&... arguments) {
+  ResultOf<member> call(const TaskInfo& task, const Parameters&... arguments) {
     static const std::vector<std::string> names = parameter_names(task);
     if (!newest) throw std::logic_error("the submission of this table is gone");
-    return from_json<ResultOf<member>>(newest->ask(task, arguments_json(names, arguments...)));
+    const std::string asked = arguments_json(names, arguments...);
+    const std::string answer = newest->ask(task, asked);
+    try {
+      return from_json<ResultOf<member>>(answer);
+    } catch (const InputError& error) {
+      newest->refuse(task, asked, error.what());
+    }
   }
 };
+
+std::size_t index_of(const TaskInfo& task) { return static_cast<std::size_t>(&task_info(task.label) - task_list().data()); }
 
 std::string title(const TaskInfo& task) { return "task " + std::string(task.label) + " " + std::string(task.name); }
 
 }  // namespace
 
-RemoteTable::RemoteTable(WorkerSetup setup) : setup_(std::move(setup)) { newest = this; }
+RemoteTable::RemoteTable(WorkerSetup setup, CallListener listener)
+    : setup_(std::move(setup)), listener_(std::move(listener)) {
+  newest = this;
+}
 
 RemoteTable::~RemoteTable() {
   if (newest == this) newest = nullptr;
@@ -39,22 +51,43 @@ RemoteTable::~RemoteTable() {
 StageTable RemoteTable::table() const { return routed_table<ToWorker>(); }
 
 std::string RemoteTable::ask(const TaskInfo& task, const std::string& arguments) {
-  int& losses = losses_[static_cast<std::size_t>(&task_info(task.label) - task_list().data())];
+  int& losses = losses_[index_of(task)];
   if (losses == most_losses)
     throw std::runtime_error(title(task) + " is not asked any more: it has ended its process " +
                              std::to_string(most_losses) + " times");
-  if (!worker_) worker_ = std::make_unique<Worker>(setup_);
   try {
-    return worker_->ask("call " + std::string(task.label) + ' ' + arguments, limit);
-  } catch (const ChildEnded& error) {
+    if (!worker_) worker_ = std::make_unique<Worker>(setup_);
+  } catch (NoAnswer& error) {
     ++losses;
-    worker_.reset();
-    throw std::runtime_error(title(task) + ' ' + error.what() + ". " + repeated_call(setup_, task.label, arguments));
-  } catch (const ChildSilent& error) {
-    ++losses;
-    worker_.reset();
-    throw std::runtime_error(title(task) + ' ' + error.what() + ". " + repeated_call(setup_, task.label, arguments));
+    error.label = task.label;
+    if (listener_.failed) listener_.failed(error);
+    throw;
   }
+  try {
+    std::string answer = worker_->ask("call " + std::string(task.label) + ' ' + arguments, setup_.limits.call);
+    if (listener_.answered) listener_.answered(task, arguments, answer);
+    return answer;
+  } catch (const NoAnswer& error) {
+    if (error.trouble != Trouble::threw) {
+      ++losses;
+      worker_.reset();
+    }
+    fail(task, arguments, error);
+  }
+}
+
+void RemoteTable::refuse(const TaskInfo& task, const std::string& arguments, const std::string& why) {
+  ++losses_[index_of(task)];
+  worker_.reset();
+  fail(task, arguments, {Trouble::no_value, "gave an answer that is none: " + printable(why)});
+}
+
+void RemoteTable::fail(const TaskInfo& task, const std::string& arguments, const NoAnswer& error) {
+  NoAnswer full(error.trouble, title(task) + ' ' + error.what() + ". " + repeated_call(setup_, task.label, arguments));
+  full.label = task.label;
+  full.arguments = arguments;
+  if (listener_.failed) listener_.failed(full);
+  throw full;
 }
 
 }  // namespace raylab

@@ -5,17 +5,24 @@
 #include "core/render/stage_table.hpp"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 
 namespace raylab {
 
+/// What somebody may want to know of a RemoteTable's calls.
+struct CallListener {
+  std::function<void(const TaskInfo& task, const std::string& arguments, const std::string& answer)> answered = {};
+  std::function<void(const NoAnswer&)> failed = {};  ///< before that is thrown
+};
+
 /// The tasks of a submission as a table: each call is a question to a worker, one at a time. A call that ends the worker, or
-/// takes longer than `limit`, throws std::runtime_error, whose text says which call that was; the next one has a new worker.
+/// takes longer than the setup allows, throws NoAnswer, whose text says which call that was; the next one has a new worker.
 /// After three in one task its other calls fail at once.
 class RemoteTable {
  public:
-  explicit RemoteTable(WorkerSetup setup);
+  explicit RemoteTable(WorkerSetup setup, CallListener listener = {});
   ~RemoteTable();
   RemoteTable(const RemoteTable&) = delete;
   RemoteTable& operator=(const RemoteTable&) = delete;
@@ -26,11 +33,16 @@ class RemoteTable {
   /// The answer to a call, JSON.
   std::string ask(const TaskInfo& task, const std::string& arguments);
 
+  /// An answer that is no value of the task's type ends the worker too.
+  [[noreturn]] void refuse(const TaskInfo& task, const std::string& arguments, const std::string& why);
+
  private:
-  static constexpr std::chrono::milliseconds limit{2000};
+  [[noreturn]] void fail(const TaskInfo& task, const std::string& arguments, const NoAnswer& error);
+
   static constexpr int most_losses = 3;
 
   WorkerSetup setup_;
+  CallListener listener_;
   std::unique_ptr<Worker> worker_;
   std::array<int, static_cast<std::size_t>(TaskIndex::count)> losses_{};
 };

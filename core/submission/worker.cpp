@@ -3,22 +3,34 @@
 #include "core/image/data_folder.hpp"
 #include "core/render/stage_table.hpp"
 
+#include <algorithm>
+#include <csignal>
 #include <stdexcept>
 
 namespace raylab {
 namespace {
 
 constexpr std::chrono::seconds time_to_load{20};
+constexpr int most_asides = 30;  // each may take as long as the answer
+// In a sandbox: for as long as a worker lives, which is for the tests of a stage or for an image.
+constexpr std::int64_t processor_seconds = 300;
 
-std::vector<std::string> command(const WorkerSetup& setup) {
-  std::vector<std::string> arguments{program_part("raylab-worker").string()};
+ChildSetup child_of(const WorkerSetup& setup) {
+  const Sandbox* const sandbox = setup.sandbox;
+  SandboxJob job{{}, {}, {}, false, {setup.limits.memory, processor_seconds, 0}};
+  const auto reachable = [&](const std::filesystem::path& file) {
+    if (!sandbox) return file.string();
+    job.readable.push_back(sandbox->inside(file));
+    return job.readable.back().string();
+  };
+  job.command.push_back(reachable(program_part("raylab-worker")));
   for (const StageLibrary& library : setup.libraries) {
-    arguments.push_back(library.file.string());
     std::string tasks;
     for (const std::string& task : library.tasks) tasks += (tasks.empty() ? "" : ",") + task;
-    arguments.push_back(tasks);
+    job.command.insert(job.command.end(), {reachable(library.file), tasks});
   }
-  return arguments;
+  if (!sandbox) return {job.command, setup.environment};
+  return {sandbox->command(job), {}, true, sandbox->passes_signals_as_codes()};
 }
 
 std::string text_of(std::string_view json) {
@@ -29,32 +41,45 @@ std::string text_of(std::string_view json) {
   }
 }
 
+Trouble trouble_of(const ChildEnded& end) {
+  return end.signal == SIGXCPU ? Trouble::too_slow : end.signal == SIGKILL ? Trouble::out_of_memory : Trouble::crashed;
+}
+
 }  // namespace
 
-Worker::Worker(const WorkerSetup& setup) : process_(command(setup), setup.environment) {
+Worker::Worker(const WorkerSetup& setup) : process_(child_of(setup)) {
   std::string line;
   try {
     line = process_.receive(Clock::now() + time_to_load);
   } catch (const ChildEnded& error) {
-    throw std::runtime_error("the submission " + std::string(error.what()) +
-                             ", while it was loaded: before any task was called (a global variable?)");
+    throw NoAnswer(trouble_of(error), "the submission " + std::string(error.what()) +
+                                          ", while it was loaded: before any task was called (a global variable?)");
   } catch (const ChildSilent& error) {
-    throw std::runtime_error("the submission " + std::string(error.what()) + " It was being loaded (a global variable?)");
+    throw NoAnswer(Trouble::too_slow,
+                   "the submission " + std::string(error.what()) + " It was being loaded (a global variable?)");
   }
   const auto [verb, rest] = first_word(line);
-  if (verb != "ready") throw std::runtime_error("the submission cannot be loaded: " + text_of(rest));
+  if (verb != "ready") throw NoAnswer(Trouble::threw, "the submission cannot be loaded: " + text_of(rest));
 }
 
 std::string Worker::ask(std::string_view request, std::chrono::milliseconds limit, const Aside& aside,
                         const std::atomic<bool>* cancel) {
-  process_.send(request, Clock::now() + limit, cancel);
-  for (;;) {
-    const std::string line = process_.receive(Clock::now() + limit, cancel);
-    const auto [verb, rest] = first_word(line);
-    if (verb == "answer") return std::string(rest);
-    if (verb == "unwritten") throw NotWritten(text_of(rest));
-    if (verb == "failed") throw std::runtime_error(text_of(rest));
-    if (aside) aside(verb, rest);
+  try {
+    process_.send(request, Clock::now() + limit, cancel);
+    const auto last_deadline = Clock::now() + most_asides * limit;
+    for (;;) {
+      const std::string line = process_.receive(std::min(Clock::now() + limit, last_deadline), cancel);
+      const auto [verb, rest] = first_word(line);
+      if (verb == "answer") return std::string(rest);
+      if (verb == "unwritten") throw NotWritten(text_of(rest));
+      if (verb == "failed") throw NoAnswer(Trouble::threw, text_of(rest));
+      if (verb == "exhausted") throw NoAnswer(Trouble::out_of_memory, text_of(rest));
+      if (aside) aside(verb, rest);
+    }
+  } catch (const ChildEnded& error) {
+    throw NoAnswer(trouble_of(error), error.what());
+  } catch (const ChildSilent& error) {
+    throw NoAnswer(Trouble::too_slow, error.what());
   }
 }
 

@@ -1,5 +1,7 @@
 #include "core/submission/worker_engine.hpp"
 
+#include "core/scene/diagnostic.hpp"
+
 #include <algorithm>
 #include <mutex>
 #include <set>
@@ -10,7 +12,6 @@ namespace raylab {
 namespace {
 
 constexpr int pixels_at_once = 32;
-constexpr std::chrono::milliseconds time_for_call{2000};
 
 /// How long a few pixels may take: many times longer than slow code needs, since each of their rays may ask each geometry.
 std::chrono::milliseconds time_for_pixels(const Scene& scene) {
@@ -91,34 +92,36 @@ class WorkerEngine final : public Engine {
     try {
       const auto aside = [this](auto verb, auto rest) { note(verb, rest); };
       return from_json<TraceAnswer>(worker.ask(request, limit_, aside, &cancel));
-    } catch (const ChildEnded& error) {
-      fail_in_call(wanted, error.what(), cancel);
-    } catch (const ChildSilent& error) {
-      fail_in_call(wanted, error.what(), cancel);
+    } catch (const NoAnswer& error) {
+      fail_in_call(wanted, error, cancel);
+    } catch (const InputError& error) {
+      fail_in_call(wanted, {Trouble::no_value, "gave an answer that is none: " + printable(error.what())}, cancel);
     }
   }
 
   /// Traces the pixels again in a worker that says before each call what it will be; the last one is where it ends.
-  [[noreturn]] void fail_in_call(const TraceMessage& pixels, const std::string& how, const std::atomic<bool>& cancel) const {
+  [[noreturn]] void fail_in_call(const TraceMessage& pixels, const NoAnswer& how, const std::atomic<bool>& cancel) const {
     std::string last;
     try {
       Worker worker(setup_);
       prepare(worker);
-      worker.ask("announce {}", time_for_call);
+      worker.ask("announce {}", setup_.limits.call);
       const auto aside = [&](std::string_view verb, std::string_view rest) {
         if (verb == "calling") last = rest;
       };
-      worker.ask("trace " + to_json(pixels), time_for_call, aside, &cancel);
+      worker.ask("trace " + to_json(pixels), setup_.limits.call, aside, &cancel);
       last.clear();  // it did not happen again
-    } catch (const ChildEnded&) {
-    } catch (const ChildSilent&) {
+    } catch (const NoAnswer&) {
     }
     const std::string where = "pixels " + std::to_string(pixels.column) + " to " +
                               std::to_string(pixels.column + pixels.pixels - 1) + " of row " + std::to_string(pixels.row);
-    if (last.empty()) throw std::runtime_error("the submission " + how + ", at " + where);
+    if (last.empty()) throw NoAnswer(how.trouble, "the submission " + std::string(how.what()) + ", at " + where);
     const auto [label, arguments] = first_word(last);
-    throw std::runtime_error("task " + std::string(label) + ' ' + how + ", at " + where + ". " +
-                             repeated_call(setup_, label, arguments));
+    NoAnswer full(how.trouble, "task " + std::string(label) + ' ' + how.what() + ", at " + where + ". " +
+                                   repeated_call(setup_, label, arguments));
+    full.label = label;
+    full.arguments = arguments;
+    throw full;
   }
 
   const Settings settings_;

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -226,6 +227,8 @@ int main(int argc, char** argv) {
       channel.send("answer " + service.answer(*request));
     } catch (const NotWritten& error) {
       channel.send("unwritten " + json_string(error.what()));
+    } catch (const std::bad_alloc&) {
+      channel.send("exhausted " + json_string("took more memory than there is for it"));
     } catch (const std::exception& error) {
       channel.send("failed " + json_string(std::string("threw an exception: ") + error.what()));
     } catch (...) {

@@ -1,0 +1,289 @@
+#include "core/cli/command.hpp"
+#include "core/cli/engines.hpp"
+#include "core/cli/grade_views.hpp"
+#include "core/cli/progress_bar.hpp"
+#include "core/cli/watched_render.hpp"
+#include "core/grade/class_folder.hpp"
+#include "core/grade/grade_submission.hpp"
+#include "core/image/data_folder.hpp"
+#include "core/image/file_hash.hpp"
+#include "core/image/partial_file.hpp"
+#include "core/scene/read_file.hpp"
+#include "core/submission/child_process.hpp"
+#include "core/submission/compiler.hpp"
+#include "tests/hints/hints.hpp"
+#include "tests/runner.hpp"
+#include "tests/selection.hpp"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <atomic>
+#include <iostream>
+#include <mutex>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace raylab::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Grade {
+  std::vector<std::string> folders;
+  std::string out;
+  std::string config;
+  std::string seed;
+  std::string shard;
+  unsigned jobs = 0;
+  bool unsafe = false;
+  std::string id;  ///< of `grade-one`
+};
+
+constexpr std::chrono::seconds most_time_of_one{1800};  // beyond any limit of its parts
+
+// ---- What all of it needs -------------------------------------------------------------------------------------------
+
+Grading checked(GradingFile file) {
+  for (const Diagnostic& diagnostic : file.diagnostics) std::cerr << to_string(diagnostic) << '\n';
+  if (!file.grading) throw Failure("the grading file has mistakes: they stand above", wrong_usage);
+  return std::move(*file.grading);
+}
+
+fs::path usual_config() { return data_folder("course/grading.toml"); }
+
+Grading grading_of(const std::string& config) {
+  Grading usual = checked(read_grading(usual_config(), {}));
+  return config.empty() ? usual : checked(read_grading(config, usual));
+}
+
+/// All that decides a result.
+std::string inputs_of(const TakenFiles& files, const std::string& config, const std::string& seed) {
+  std::string all = std::string(RAYLAB_VERSION) + '\n' + seed + '\n' + file_hash(usual_config()) + '\n';
+  if (!config.empty()) all += file_hash(config) + '\n';
+  for (const auto& [stage, text] : files.texts)
+    all += std::to_string(stage) + ' ' + std::to_string(text.size()) + '\n' + text;
+  for (const auto& [stage, why] : files.refused) all += std::to_string(stage) + ' ' + why + '\n';
+  for (const std::string& note : files.notes) all += note + '\n';
+  return text_hash(all);
+}
+
+void require_safe(const Sandbox& sandbox, bool unsafe) {
+  if (sandbox.is_safe() || unsafe) return;
+  std::string text = "this machine cannot keep strangers' code from itself:\n";
+  for (const Protection& protection : sandbox.protections())
+    if (!protection.holds) text += "  not " + protection.name + ": " + protection.by + '\n';
+  throw Failure(text +
+                "Install bubblewrap, or see 'raylab doctor'; --unsafe grades all the same, and says so in the report");
+}
+
+// ---- One submission, in a process of its own ------------------------------------------------------------------------
+
+TestOutcome run_unit_tests(std::string_view task, const StageTable& table) {
+  const auto no_images = [](const Scene&, const Settings&) -> std::unique_ptr<Engine> {
+    throw std::logic_error("a task's tests need no image");
+  };
+  const test::Totals totals = test::run_tests(test::tests_of_submission(task), table, no_images, "/dev/null");
+  TestOutcome outcome{static_cast<int>(totals.passed), {}};
+  for (std::size_t k = 0; k < totals.failures.size(); ++k) outcome.failed.push_back({totals.failures[k], totals.texts[k]});
+  return outcome;
+}
+
+std::string hint_on(std::string_view task, const AskTask& ask, int level) {
+  const std::vector<test::Hint> hints = test::find_hints(solution_table(), ask, test::find_probes(solution_table(), {task}));
+  return hints.empty() ? "" : test::hints_text(hints, level);
+}
+
+double processor_seconds() {
+  double seconds = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage used{};
+    getrusage(who, &used);
+    for (const timeval& time : {used.ru_utime, used.ru_stime})
+      seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
+  return seconds;
+}
+
+void grade_one(const Grade& wanted) {
+  adopt_orphans();
+  const ClassFolder out(wanted.out, wanted.seed);
+  const Grading grading = grading_of(wanted.config);
+  const TakenFiles files = take_files(wanted.folders.front());
+  const Sandbox sandbox;
+  require_safe(sandbox, wanted.unsafe);
+  const GradingTools tools{sandbox, solution_table(), run_unit_tests, hint_on};
+  const std::vector<View> views = grading_views(grading, wanted.seed, out.path() / "views");
+  SubmissionResult result = grade_submission(files, grading, views, tools, out.submission(wanted.id));
+  result.id = wanted.id;
+  result.inputs = inputs_of(files, wanted.config, wanted.seed);
+  end_children();
+  out.finish(result, processor_seconds());
+}
+
+// ---- A class --------------------------------------------------------------------------------------------------------
+
+std::string drawn_seed() {
+  std::random_device device;
+  return text_hash(std::to_string(device()) + ' ' + std::to_string(device()) + ' ' + std::to_string(device())).substr(0, 16);
+}
+
+std::vector<Submitted> wanted_shard(const Grade& wanted, const std::vector<Submitted>& all) {
+  if (wanted.shard.empty()) return all;
+  std::size_t k = 0, n = 0;
+  char slash = 0;
+  std::istringstream text(wanted.shard);
+  if (!(text >> k >> slash >> n) || slash != '/' || !text.eof() || k < 1 || k > n)
+    throw Failure("--shard: wanted I/N, from 1/N to N/N, got '" + wanted.shard + "'", wrong_usage);
+  return shard(all, k - 1, n);
+}
+
+/// Runs this program on one submission. What goes wrong is raylab's fault, and becomes a result too.
+void run_one(const Grade& wanted, const Submitted& submitted, const ClassFolder& out, const Grading& grading) {
+  std::vector<std::string> command{fs::read_symlink("/proc/self/exe").string(),
+                                   "grade-one",
+                                   submitted.folder.string(),
+                                   "--id",
+                                   submitted.id,
+                                   "--out",
+                                   wanted.out,
+                                   "--seed",
+                                   out.seed()};
+  if (!wanted.config.empty()) command.insert(command.end(), {"--config", wanted.config});
+  if (wanted.unsafe) command.emplace_back("--unsafe");
+  const Finished finished = run_program(command, {most_time_of_one, std::size_t{16} << 10U});
+  if (finished.good) return;
+  SubmissionResult result = not_graded(grading, "raylab could not grade it: " + finished.output);
+  result.id = submitted.id;
+  out.finish(result, 0);
+}
+
+/// Those that are not finished yet, each by a process of its own, so that one can neither harm nor slow another one.
+void run_all(const Grade& wanted, const std::vector<Submitted>& all, const ClassFolder& out, const Grading& grading) {
+  std::vector<const Submitted*> rest;
+  for (const Submitted& submitted : all)
+    if (!out.finished(submitted.id, inputs_of(take_files(submitted.folder), wanted.config, out.seed())))
+      rest.push_back(&submitted);
+  const std::size_t kept = all.size() - rest.size();
+  if (kept > 0) std::cerr << "raylab: " << kept << " of " << all.size() << " submissions are graded already\n";
+  std::atomic<std::size_t> next = 0, done = 0;
+  std::mutex mutex;
+  std::exception_ptr error;
+  const std::atomic<bool>& stop = interrupt_flag();
+  const auto work = [&] {
+    for (std::size_t k = next++; k < rest.size() && !stop; k = next++) {
+      try {
+        run_one(wanted, *rest[k], out, grading);
+      } catch (...) {  // a full disk, say: the others would fail too
+        const std::lock_guard lock(mutex);
+        error = std::current_exception();
+        next = rest.size();
+      }
+      ++done;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned k = 0; k < thread_count(wanted.jobs); ++k) threads.emplace_back(work);
+  {
+    ProgressBar bar("grading");
+    while (done < rest.size() && !stop && next < rest.size() + threads.size()) {
+      bar.show(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rest.size())),
+               "graded " + std::to_string(kept + done) + " of " + std::to_string(all.size()));
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+  }
+  for (std::thread& thread : threads) thread.join();
+  if (error) std::rethrow_exception(error);
+  if (stop)
+    throw Failure("interrupted: " + std::to_string(kept + done) + " of " + std::to_string(all.size()) +
+                      " submissions are graded, and kept; the same command does the rest",
+                  interrupted);
+}
+
+std::string points(const Points& points) {
+  return to_text(std::round(points.got * 100) / 100) + " of " + to_text(points.most);
+}
+
+void print_marks(const std::vector<Submitted>& all, const ClassFolder& out) {
+  constexpr std::size_t most_lines = 50;
+  const std::vector<SubmissionResult> results = out.results();
+  for (std::size_t k = 0; k < std::min(all.size(), most_lines); ++k) {
+    const auto result = std::find_if(results.begin(), results.end(), [&](const auto& r) { return r.id == all[k].id; });
+    if (result != results.end())
+      std::cout << printable(all[k].name) << ": " << points(result->points) << ", bonus " << points(result->bonus) << '\n';
+  }
+  if (all.size() > most_lines) std::cout << "and " << all.size() - most_lines << " more\n";
+  std::cout << (out.path() / "results.json").string() << '\n';
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  write_file(path, [&](std::ostream& stream) { stream << text; });
+}
+
+/// Everything that is made of the finished results.
+void write_reports(const ClassFolder& out, const std::vector<Guarantee>& guarantees, bool unsafe) {
+  ClassResults results;
+  results.raylab = RAYLAB_VERSION;
+  results.seed = out.seed();
+  results.unsafe = unsafe;
+  results.guarantees = guarantees;
+  results.submissions = out.results();
+  write_text(out.path() / "results.json", results_json(results));
+}
+
+std::vector<Guarantee> guarantees_of(const Sandbox& sandbox) {
+  std::vector<Guarantee> all;
+  for (const Protection& protection : sandbox.protections())
+    all.push_back({protection.name, protection.holds, protection.by});
+  return all;
+}
+
+void grade(Grade wanted) {
+  umask(S_IWGRP | S_IWOTH);  // the sandbox's user reads some of what is written
+  const Grading grading = grading_of(wanted.config);
+  if (wanted.seed.empty()) wanted.seed = ClassFolder::seed_of(wanted.out).value_or(drawn_seed());
+  const std::vector<Submitted> all = wanted_shard(wanted, find_submissions(wanted.folders, wanted.seed));
+  const Sandbox sandbox;
+  require_safe(sandbox, wanted.unsafe);
+  const ClassFolder out(wanted.out, wanted.seed);
+  grading_views(grading, wanted.seed, out.path() / "views");
+  StageCompiler({false, false, &sandbox}).prepare();
+  run_all(wanted, all, out, grading);
+  write_reports(out, guarantees_of(sandbox), wanted.unsafe && !sandbox.is_safe());
+  print_marks(all, out);
+}
+
+void add_common(CLI::App& command, Grade& wanted) {
+  command.add_option("--out", wanted.out, "The folder for results and reports")->required()->type_name("OUT");
+  command.add_option("--config", wanted.config, "A grading.toml, in place of the usual one")
+      ->check(CLI::ExistingFile)
+      ->type_name("FILE");
+  command.add_option("--seed", wanted.seed, "Decides the hidden cameras and the ids; default: a new one")->type_name("TEXT");
+  command.add_flag("--unsafe", wanted.unsafe, "Grade even where this machine cannot keep strangers' code from itself");
+}
+
+}  // namespace
+
+void add_grade(CLI::App& app) {
+  const auto wanted = std::make_shared<Grade>();
+  CLI::App* command = app.add_subcommand("grade", "Grade submissions: one, or a folder of hundreds");
+  command->add_option("DIR", wanted->folders, "A submission, or a folder of submissions")->required();
+  add_common(*command, *wanted);
+  command->add_option("--jobs", wanted->jobs, "How many to grade at a time; default: as many as there are cores")
+      ->type_name("N");
+  command->add_option("--shard", wanted->shard, "Only the I-th of N parts of them: 1/4")->type_name("I/N");
+  command->callback([wanted] { grade(*wanted); });
+
+  const auto one = std::make_shared<Grade>();
+  CLI::App* inner = app.add_subcommand("grade-one", "What 'raylab grade' runs for each submission")->group("");
+  inner->add_option("DIR", one->folders)->required()->expected(1);
+  inner->add_option("--id", one->id)->required();
+  add_common(*inner, *one);
+  inner->callback([one] { grade_one(*one); });
+}
+
+}  // namespace raylab::cli
