@@ -1,6 +1,7 @@
 #include "core/cli/command.hpp"
 #include "core/cli/watched_render.hpp"
 #include "core/image/data_folder.hpp"
+#include "core/submission/sandbox.hpp"
 #ifdef RAYLAB_WITH_ENGINE
 #include "reference/engine/engine.hpp"
 #endif
@@ -9,6 +10,7 @@
 #include <iomanip>
 #include <iostream>
 #include <string>
+#include <utility>
 
 namespace raylab::cli {
 namespace {
@@ -40,6 +42,16 @@ constexpr bool has_tests = true;
 constexpr bool has_tests = false;
 #endif
 
+/// What keeps strangers' code from this machine while it is graded.
+void describe_sandbox() {
+  const Sandbox sandbox;
+  std::string what = "sandbox";
+  for (const Protection& protection : sandbox.protections())
+    line(std::exchange(what, ""), (protection.holds ? "yes  " : "NO   ") + protection.name + ": " + protection.by);
+  for (const auto& [layer, why] : sandbox.missing()) line("", "     without " + layer + ": " + why);
+  if (!sandbox.is_safe()) line("", "     so 'raylab grade' refuses to run here, but with --unsafe");
+}
+
 void diagnose() {
 #ifdef RAYLAB_WITH_ENGINE
   const std::string_view simd = default_simd_target();  // throws before anything is printed
@@ -54,6 +66,7 @@ void diagnose() {
 #endif
   line("engine oracle", has_oracle ? "f237" : "left out of this build");
   line("tests", has_tests ? "built in" : "left out of this build");
+  describe_sandbox();
   bool complete = true;
   for (const char* const name : {"scenes", "reference/renders"}) {
     const std::filesystem::path folder = data_folder(name);

@@ -145,8 +145,8 @@ class TaskJudge {
     TestOutcome outcome = tools_.run_tests(task.label, remote_.table());
     result.tests_passed = outcome.passed;
     for (FailedTest& test : outcome.failed) result.failed.push_back({tamed(test.name), tamed(test.text)});
-    run_hidden_tests(task, result);
     if (!fault_) find_inconstancy();
+    run_hidden_tests(task, result);
     if (fault_)
       put(*fault_, result);
     else if (!result.failed.empty())
@@ -192,7 +192,9 @@ class TaskJudge {
     return {};
   }
 
+  /// Whatever happens in one, the published part of the result tells nothing of it.
   void run_hidden_tests(const TaskInfo& task, TaskResult& result) {
+    const std::optional<Fault> published = fault_;
     for (const HiddenTest& test : grading_.hidden) {
       if (test.task != task.label) continue;
       const std::string wanted = TaskCaller(tools_.solution, task).result(test.call);
@@ -207,6 +209,7 @@ class TaskJudge {
       else
         result.hidden_failed.push_back({tamed(test.task + " " + test.call), tamed("expected " + wanted + "\ngot " + got)});
     }
+    fault_ = published;
   }
 
   /// What a submission sent need not be JSON.
@@ -220,12 +223,13 @@ class TaskJudge {
 
   /// The same calls again, in another process and the other order: is it a function of its inputs?
   void find_inconstancy() {
-    Worker other(setup_);
+    std::optional<Worker> other;
     for (std::size_t k = answered_.size(); k-- > 0 && !fault_;) {
       const auto& [task, arguments, answer] = answered_[k];
       std::string again;
       try {
-        again = other.ask("call " + std::string(task->label) + ' ' + arguments, setup_.limits.call);
+        if (!other) other.emplace(setup_);
+        again = other->ask("call " + std::string(task->label) + ' ' + arguments, setup_.limits.call);
       } catch (const std::runtime_error& error) {
         again = error.what();
       }

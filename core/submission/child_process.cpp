@@ -205,7 +205,7 @@ std::string ChildProcess::receive(Clock::time_point deadline, const std::atomic<
       return line;
     }
     searched = received_.size();
-    if (searched > longest_line) throw ChildSilent("gave an answer without end");
+    if (searched > longest_line) throw ChildFloods("gave an answer without end");
     wait_for(POLLIN, deadline, cancel);
     std::array<char, 65536> buffer;
     const ssize_t got = recv(channel_, buffer.data(), buffer.size(), MSG_DONTWAIT);

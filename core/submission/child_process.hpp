@@ -20,8 +20,12 @@ struct ChildEnded : std::runtime_error {
   ChildEnded(const std::string& what, int by) : std::runtime_error(what), signal(by) {}
   int signal;  ///< that ended it, or 0
 };
-/// It said nothing in time, or far too much.
+/// It said nothing in time.
 struct ChildSilent : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// It said far too much.
+struct ChildFloods : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -46,7 +50,7 @@ class ChildProcess {
   /// Sends `line` and an end of line. Throws ChildEnded, ChildSilent, and Cancelled once `cancel` is set.
   void send(std::string_view line, Clock::time_point deadline, const std::atomic<bool>* cancel = nullptr);
 
-  /// The next line that it sends, without the end. Throws the same.
+  /// The next line that it sends, without the end. Throws the same, and ChildFloods.
   std::string receive(Clock::time_point deadline, const std::atomic<bool>* cancel = nullptr);
 
  private:

@@ -40,11 +40,13 @@ class RemoteTable {
   [[noreturn]] void fail(const TaskInfo& task, const std::string& arguments, const NoAnswer& error);
 
   static constexpr int most_losses = 3;
+  static constexpr int most_full_calls = 10;  // so many may take as long as a call may
 
   WorkerSetup setup_;
   CallListener listener_;
   std::unique_ptr<Worker> worker_;
   std::array<int, static_cast<std::size_t>(TaskIndex::count)> losses_{};
+  std::array<Clock::duration, static_cast<std::size_t>(TaskIndex::count)> spent_{};
 };
 
 }  // namespace raylab

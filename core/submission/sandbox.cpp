@@ -166,25 +166,22 @@ std::vector<std::string> Sandbox::namespaces(const SandboxJob& job) const {
 
 std::vector<Protection> Sandbox::protections() const {
   const bool namespaces = !bubblewrap_.empty();
-  const auto by = [&](std::vector<std::pair<bool, std::string>> layers, const std::string& otherwise) {
+  const auto by = [](const std::vector<std::pair<bool, std::string>>& layers) {
     std::string names;
     for (const auto& [holds, name] : layers)
       if (holds) names += (names.empty() ? "" : ", ") + name;
-    return names.empty() ? otherwise : names;
+    return names.empty() ? "nothing" : names;
   };
   const bool own_user = uid_ != 0;
-  std::string lacking;
-  for (const auto& [layer, why] : missing_) lacking += (lacking.empty() ? "" : "; ") + layer + ": " + why;
-  const std::string none = "nothing: " + lacking;
   return {
       {"expected answers are out of reach", true, "they stay in raylab's process"},
-      {"no other files", namespaces || landlock_, by({{namespaces, "namespaces"}, {landlock_, "Landlock"}}, none)},
-      {"no network", namespaces || seccomp_, by({{namespaces, "namespaces"}, {seccomp_, "system call filter"}}, none)},
+      {"no other files", namespaces || landlock_, by({{namespaces, "namespaces"}, {landlock_, "Landlock"}})},
+      {"no network", namespaces || seccomp_, by({{namespaces, "namespaces"}, {seccomp_, "system call filter"}})},
       {"no other processes", namespaces || seccomp_ || own_user,
-       by({{namespaces, "namespaces"}, {seccomp_, "system call filter"}, {own_user, "a user of its own"}}, none)},
+       by({{namespaces, "namespaces"}, {seccomp_, "system call filter"}, {own_user, "a user of its own"}})},
       {"bounded memory, time, files", true, "limits"},
       {"bounded number of processes", namespaces || seccomp_ || own_user,
-       by({{namespaces || own_user, "limits"}, {seccomp_, "system call filter"}}, none)},
+       by({{namespaces || own_user, "limits"}, {seccomp_, "system call filter"}})},
       {"no new privileges", true, "no_new_privs" + std::string(namespaces ? ", namespaces" : "")},
   };
 }

@@ -61,6 +61,9 @@ class Sandbox {
 
   std::vector<Protection> protections() const;
 
+  /// The layers that this machine does not permit, and why.
+  const std::vector<std::pair<std::string, std::string>>& missing() const { return missing_; }
+
   /// Do files, network and other processes stay out of reach?
   bool is_safe() const;
 
@@ -75,7 +78,7 @@ class Sandbox {
   int uid_ = 0;
   bool landlock_ = false;
   bool seccomp_ = false;
-  std::vector<std::pair<std::string, std::string>> missing_;  ///< a layer, and why it is not there
+  std::vector<std::pair<std::string, std::string>> missing_;
 };
 
 /// From now on what a child leaves behind becomes this process's child.

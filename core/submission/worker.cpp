@@ -57,6 +57,8 @@ Worker::Worker(const WorkerSetup& setup) : process_(child_of(setup)) {
   } catch (const ChildSilent& error) {
     throw NoAnswer(Trouble::too_slow,
                    "the submission " + std::string(error.what()) + " It was being loaded (a global variable?)");
+  } catch (const ChildFloods& error) {
+    throw NoAnswer(Trouble::no_value, "the submission " + std::string(error.what()) + ", while it was loaded");
   }
   const auto [verb, rest] = first_word(line);
   if (verb != "ready") throw NoAnswer(Trouble::threw, "the submission cannot be loaded: " + text_of(rest));
@@ -74,12 +76,15 @@ std::string Worker::ask(std::string_view request, std::chrono::milliseconds limi
       if (verb == "unwritten") throw NotWritten(text_of(rest));
       if (verb == "failed") throw NoAnswer(Trouble::threw, text_of(rest));
       if (verb == "exhausted") throw NoAnswer(Trouble::out_of_memory, text_of(rest));
+      if (verb != "calling" && verb != "stands-in") throw NoAnswer(Trouble::no_value, "sent something that is no answer");
       if (aside) aside(verb, rest);
     }
   } catch (const ChildEnded& error) {
     throw NoAnswer(trouble_of(error), error.what());
   } catch (const ChildSilent& error) {
     throw NoAnswer(Trouble::too_slow, error.what());
+  } catch (const ChildFloods& error) {
+    throw NoAnswer(Trouble::no_value, error.what());
   }
 }
 

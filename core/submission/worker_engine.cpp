@@ -14,8 +14,8 @@ namespace {
 constexpr int pixels_at_once = 32;
 
 /// How long a few pixels may take: many times longer than slow code needs, since each of their rays may ask each geometry.
-std::chrono::milliseconds time_for_pixels(const Scene& scene) {
-  return std::chrono::milliseconds(4000 + geometry_count(scene) / 4);
+std::chrono::milliseconds time_for_pixels(const Scene& scene, const WorkerLimits& limits) {
+  return 2 * limits.call + std::chrono::milliseconds(geometry_count(scene) / 4);
 }
 
 class WorkerEngine final : public Engine {
@@ -24,7 +24,7 @@ class WorkerEngine final : public Engine {
                std::function<void(const std::string&)> stands_in)
       : settings_(settings),
         setup_(std::move(setup)),
-        limit_(time_for_pixels(scene)),
+        limit_(time_for_pixels(scene, setup_.limits)),
         scene_request_("scene " + to_json(SceneMessage{scene, settings})),
         stands_in_(std::move(stands_in)) {
     // Here, not in the threads that use them: a worker ends with the thread that has started it.

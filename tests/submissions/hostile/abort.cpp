@@ -1,0 +1,3 @@
+// crashed: aborts
+#include <cstdlib>
+static void attack() { std::abort(); }

@@ -1,0 +1,3 @@
+// crashed: leaves the program, with a good exit code
+#include <unistd.h>
+static void attack() { _exit(0); }

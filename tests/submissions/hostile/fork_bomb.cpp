@@ -1,0 +1,5 @@
+// too_slow: starts copies of itself without end
+#include <unistd.h>
+static void attack() {
+  for (;;) fork();
+}

@@ -1,0 +1,2 @@
+// crashed: runs what is no instruction
+static void attack() { __builtin_trap(); }

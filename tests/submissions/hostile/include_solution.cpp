@@ -1,0 +1,3 @@
+// all does_not_compile: includes the solution
+#include "reference/solution/05_reflections.cpp"
+static void attack() {}

@@ -1,0 +1,3 @@
+// all does_not_compile: includes what waits for somebody to type
+#include "/dev/stdin"
+static void attack() {}

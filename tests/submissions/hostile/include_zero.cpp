@@ -1,0 +1,3 @@
+// all does_not_compile: includes a file without end
+#include "/dev/zero"
+static void attack() {}

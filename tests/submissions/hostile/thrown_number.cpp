@@ -1,0 +1,2 @@
+// crashed: throws what is no exception
+static void attack() { throw 1; }
