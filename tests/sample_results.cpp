@@ -143,10 +143,11 @@ SubmissionResult that_breaks(const std::string& id) {
   return summed(submission);
 }
 
-/// Puts hostile text into every text of plain data.
+/// Puts hostile text into every text of plain data, but the labels, by which reports put a class together.
 struct Spoil {
   template <class T>
-  void operator()(const Field&, T& value) const {
+  void operator()(const Field& field, T& value) const {
+    if (field.name == std::string_view("label")) return;
     if constexpr (std::is_same_v<T, std::string>) {
       value = std::string(hostile) + value;
     } else if constexpr (HasFields<T>) {

@@ -14,7 +14,7 @@ namespace raylab::test {
 inline constexpr std::string_view hostile =
     "=HYPERLINK(\"http://evil.example\")\x1b[31m ]]> </script><script>document.title='ran'</script><img src=x "
     "onerror=alert(1)>"
-    "\r\n::error::owned\n\n# heading @everyone `code` | **bold** <!-- \xe2\x80\xae reversed \xff\xfe &amp; 100%";
+    "\r\n::error::owned\n\n# heading @everyone `code` | **bold** <!-- \xe2\x80\xae reversed, \xff\xfe &amp; 100%";
 
 /// Stands in every text of the sample that a student must not see.
 inline constexpr std::string_view secret = "COURSE-SECRET";
