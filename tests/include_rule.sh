@@ -60,7 +60,7 @@ only CLI/ '^core/cli/'
 only boost/ '^reference/oracle/'
 only hwy/ '^(bench|reference/engine)/'
 only glm '^(core/math|reference/solution|stages|tests/submissions)/'
-only nlohmann '^(bench/report|core/(calls|cli|explain|references|report)|tests)/'
+only nlohmann '^(bench/report|core/(calls|cli|explain|references|report|results)|tests)/'
 only catch2 '^tests/'
 only '(sys/|unistd|linux/|windows|fcntl|spawn|poll|dlfcn)' '^core/submission/'  # the one place that knows of processes
 

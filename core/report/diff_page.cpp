@@ -5,7 +5,11 @@
 #include "core/image/image_file.hpp"
 #include "core/report/comparison_json.hpp"
 #include "core/report/diff_page_html.hpp"
+#include "core/report/page_base_css.hpp"
 #include "core/report/page_parts.hpp"
+#include "core/report/page_tools_js.hpp"
+#include "core/report/page_views_css.hpp"
+#include "core/report/page_views_js.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -140,11 +144,13 @@ void write_diff_page(std::ostream& out, const DiffPage& page) {
   if (page.image.pixels.size() > largest_page)
     throw std::runtime_error("a page holds images of up to " + std::to_string(largest_page) + " pixels, this one has " +
                              std::to_string(page.image.pixels.size()));
-  const auto [start, rest] = split(diff_page_html, "{{title}}");
-  const auto [markup, script] = split(rest, "{{data}}");
-  out << start << html_escaped(page.title) << markup;
+  const auto [start, after_title] = split(diff_page_html, "{{title}}");
+  const auto [head, after_style] = split(after_title, "{{style}}");
+  const auto [markup, after_data] = split(after_style, "{{data}}");
+  const auto [module, script] = split(after_data, "{{script}}");
+  out << start << html_escaped(page.title) << head << page_base_css << page_views_css << markup;
   write_data(out, page);
-  out << script;
+  out << module << page_tools_js << page_views_js << script;
 }
 
 }  // namespace raylab

@@ -52,6 +52,7 @@ struct FailedTest {
 };
 RAYLAB_FIELDS(FailedTest, RAYLAB_FIELD(name) RAYLAB_FIELD(text))
 
+/// A student sees all of it but what is called hidden; so reason, call and hint tell nothing of the course's own tests.
 struct TaskResult {
   std::string label;  ///< "5.1"
   std::string name;   ///< "reflect"
