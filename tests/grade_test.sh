@@ -16,7 +16,8 @@ hostile() {
   grep -q 'attack()' "$file" || edit='s/^  return d - 2 \*.*/  return ::answer(d, n);/'
   { cat "$file"; sed "$edit" "$solution/05_reflections.cpp"; } >"$into/05_reflections.cpp"
 }
-result_of() { printf '%s/submissions/%s/result.json' "$out" "$(printf 'test\n%s' "$1" | sha1sum | cut -c1-12)"; }
+id_of() { printf 'test\n%s' "$1" | sha1sum | cut -c1-12; }
+result_of() { printf '%s/submissions/%s/result.json' "$out" "$(id_of "$1")"; }
 verdict() { # FOLDER LABEL
   grep -o "\"label\":\"$2\",\"name\":\"[a-z_0-9]*\",\"verdict\":\"[a-z_]*\"" "$(result_of "$1")" | sed 's/.*:"\(.*\)"/\1/'
 }
@@ -57,5 +58,88 @@ check 'no process is left' bash -c "! pgrep -f '[r]aylab-[a-z]* .*$folder'"
 check 'no file is left' test -z "$(ls -A tmp)"
 check 'results are private' test "$(stat -c %a "$out")" = 700
 check 'no escape sequence in any result' bash -c "! grep -lP '\\x1b' '$out'/results.json"
+
+
+# A class of four: reports, going on, parts that are merged.
+mkdir small && cp -r "$class/good" small/ada && cp -r "$class/answers_nan" small/bob && cp -r "$class/nothing" small/cy && cp -r "$class/counter" small/dee
+run 0 grade small --out whole --seed test --config grading.toml
+prints 'ada: 100 of 100, bonus 30 of 30'
+for file in index.html results.json gradebook.csv junit.xml roster.csv; do check "there is $file" test -s whole/$file; done
+check 'the gradebook has names and marks' grep -q '^ada,' whole/gradebook.csv
+ada=$(id_of ada) bob=$(id_of bob)
+check 'a page for each student' test -s "whole/submissions/$ada/report.html"
+check 'no hidden image on it' bash -c "! grep -q 'hidden/' whole/submissions/$bob/report.html"
+check 'nobody else on it' bash -c "! grep -qE 'ada|$ada' whole/submissions/$bob/report.html"
+
+mkdir before && cp whole/{results.json,gradebook.csv,junit.xml,roster.csv} before
+run 0 grade small --out whole --config grading.toml
+says '4 of 4 submissions are graded already'
+check 'the same again' cmp -s whole/results.json before/results.json
+rm "whole/submissions/$bob/result.json"
+run 0 grade small --out whole --config grading.toml
+says '3 of 4 submissions are graded already'
+check 'the same after an interruption' cmp -s whole/results.json before/results.json
+cp "$solution/01_rays.cpp" small/cy
+run 0 grade small --out whole --config grading.toml
+says '3 of 4 submissions are graded already'
+rm small/cy/01_rays.cpp
+
+if command -v parallel >/dev/null; then
+  check 'GNU parallel grades four shards' parallel --will-cite "$program" grade small --out 'part-{}' --shard '{}/4' --seed test --config grading.toml --jobs 1 ::: 1 2 3 4 >stdout 2>stderr
+else
+  for k in 1 2 3 4; do run 0 grade small --out part-$k --shard $k/4 --seed test --config grading.toml; done
+fi
+run 0 merge part-1 part-2 part-3 part-4 --out merged
+for file in results.json gradebook.csv junit.xml roster.csv; do check "four shards merged give the same $file" cmp merged/$file before/$file; done
+
+# For somebody else's pages.
+run 0 grade small/bob --out one --seed test --config grading.toml --gradescope gs/results.json
+check 'Gradescope gets tests' grep -q '"tests"' gs/results.json
+GITHUB_STEP_SUMMARY=$folder/summary.md run 0 grade small/bob --out one --config grading.toml --github
+prints '::error file=05_reflections.cpp'
+check 'a step summary' test -s summary.md
+run 2 grade small --out whole --config grading.toml --github
+says 'for one submission'
+
+# Wrong usage, and what it says.
+run 1 grade small/no-such --out x
+says 'is no folder'
+run 1 grade small --out whole --seed other
+says 'was graded with the seed test'
+run 2 grade small --out x --shard 5/4
+says '--shard: wanted I/N'
+printf '[[stage]]\nstage = 9\npoints = -1\n[hints]\nlevel = 4\n' >bad.toml
+run 2 grade small --out x --config bad.toml
+says 'bad.toml:2:'
+says 'bad.toml:3:'
+says 'bad.toml:5:'
+check 'nothing was written' test ! -e x
+mkdir full && touch full/note
+run 1 grade small --out full
+says 'holds something else'
+
+# What students get: nothing of the answers.
+run 0 handout lab
+for file in 01_rays.cpp 07_ssaa.cpp README.md INSTALL.md handbook/stages/README.md scenes/scene5.toml; do check "the handout has $file" test -s lab/$file; done
+check 'no answers in it' bash -c "! grep -rqE 'difference_of_products|d - 2 \* dot|hidden_test' lab"
+check 'no path of this machine in it' bash -c "! grep -rq '$source' lab"
+
+# Without namespaces, as in a container: the other layers hold.
+mkdir bin && for tool in as ld cp; do ln -s "$(command -v $tool)" bin; done
+mkdir rest
+for name in reads_passwd reads_proc reads_folders reads_environment opens_a_socket kills_everything daemon raw_clone fork_bomb \
+  fills_the_disk memory_file incbin_passwd include_zero becomes_root; do
+  cp -r "$class/$name" rest
+done
+cp -r "$class/good" rest
+out=$folder/fallback
+PATH=$folder/bin run 0 grade rest --out "$out" --seed test --config grading.toml
+check 'the report says that there are no namespaces' bash -c "! grep -q namespaces '$out/run.json'"
+for submission in rest/*; do
+  name=$(basename "$submission") wanted=right
+  [[ $name == good ]] || wanted=$(sed -n '1s|^// \(all \)*\(.*\): .*|\2|p' "$source/tests/submissions/hostile/$name.cpp")
+  expect "$name" 5.1 "$wanted"
+done
+check 'no process is left' bash -c "! pgrep -f '[r]aylab-[a-z]* .*$folder'"
 
 report_checks

@@ -28,6 +28,7 @@ void add_test(CLI::App& app);
 void add_diff(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_bench(CLI::App& app);  ///< in builds with engine and oracle
+void add_handout(CLI::App& app);
 void add_grade(CLI::App& app);  ///< in builds with engine, oracle and tests
 void add_reference(CLI::App& app);
 void add_doctor(CLI::App& app);

@@ -4,10 +4,15 @@
 #include "core/cli/progress_bar.hpp"
 #include "core/cli/watched_render.hpp"
 #include "core/grade/class_folder.hpp"
+#include "core/grade/class_reports.hpp"
 #include "core/grade/grade_submission.hpp"
 #include "core/image/data_folder.hpp"
 #include "core/image/file_hash.hpp"
 #include "core/image/partial_file.hpp"
+#include "core/results/counted.hpp"
+#include "core/results/github.hpp"
+#include "core/results/gradescope.hpp"
+#include "core/results/plain_text.hpp"
 #include "core/scene/read_file.hpp"
 #include "core/submission/child_process.hpp"
 #include "core/submission/compiler.hpp"
@@ -20,8 +25,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <string>
 #include <thread>
@@ -41,6 +49,8 @@ struct Grade {
   std::string shard;
   unsigned jobs = 0;
   bool unsafe = false;
+  std::string gradescope;
+  bool github = false;
   std::string id;  ///< of `grade-one`
 };
 
@@ -204,57 +214,96 @@ void run_all(const Grade& wanted, const std::vector<Submitted>& all, const Class
                   interrupted);
 }
 
-std::string points(const Points& points) {
-  return to_text(std::round(points.got * 100) / 100) + " of " + to_text(points.most);
-}
-
-void print_marks(const std::vector<Submitted>& all, const ClassFolder& out) {
+void print_marks(const std::vector<Submitted>& all, const ClassResults& results) {
   constexpr std::size_t most_lines = 50;
-  const std::vector<SubmissionResult> results = out.results();
-  for (std::size_t k = 0; k < std::min(all.size(), most_lines); ++k) {
-    const auto result = std::find_if(results.begin(), results.end(), [&](const auto& r) { return r.id == all[k].id; });
-    if (result != results.end())
-      std::cout << printable(all[k].name) << ": " << points(result->points) << ", bonus " << points(result->bonus) << '\n';
-  }
+  for (std::size_t k = 0; k < std::min(all.size(), most_lines); ++k)
+    for (const SubmissionResult& result : results.submissions)
+      if (result.id == all[k].id)
+        std::cout << plain_line(all[k].name) << ": " << points_text(counted_points(result)) << ", bonus "
+                  << points_text(counted_bonus(result)) << (needs_new_run(result) ? ", to be graded again" : "") << '\n';
   if (all.size() > most_lines) std::cout << "and " << all.size() - most_lines << " more\n";
-  std::cout << (out.path() / "results.json").string() << '\n';
 }
 
-void write_text(const fs::path& path, const std::string& text) {
-  write_file(path, [&](std::ostream& stream) { stream << text; });
-}
-
-/// Everything that is made of the finished results.
-void write_reports(const ClassFolder& out, const std::vector<Guarantee>& guarantees, bool unsafe) {
-  ClassResults results;
-  results.raylab = RAYLAB_VERSION;
-  results.seed = out.seed();
-  results.unsafe = unsafe;
-  results.guarantees = guarantees;
-  results.submissions = out.results();
-  write_text(out.path() / "results.json", results_json(results));
-}
-
-std::vector<Guarantee> guarantees_of(const Sandbox& sandbox) {
-  std::vector<Guarantee> all;
+ClassRun run_in(const Sandbox& sandbox, bool unsafe) {
+  ClassRun run{RAYLAB_VERSION, unsafe && !sandbox.is_safe(), {}};
   for (const Protection& protection : sandbox.protections())
-    all.push_back({protection.name, protection.holds, protection.by});
-  return all;
+    run.guarantees.push_back({protection.name, protection.holds, protection.by});
+  return run;
+}
+
+/// The one submission of a run that says it to somebody else.
+const SubmissionResult& only(const ClassResults& results, const std::vector<Submitted>& all) {
+  const auto found = std::find_if(results.submissions.begin(), results.submissions.end(),
+                                  [&](const SubmissionResult& result) { return result.id == all.front().id; });
+  if (all.size() != 1 || found == results.submissions.end())
+    throw Failure("--gradescope and --github are for one submission, and these are " + std::to_string(all.size()),
+                  wrong_usage);
+  return *found;
+}
+
+/// Adds to the file that GitHub shows as the step's summary, and prints what it shows beside the lines.
+void tell_github(const SubmissionResult& result) {
+  if (const char* const file = std::getenv("GITHUB_STEP_SUMMARY")) {
+    std::ofstream stream(file, std::ios::app);
+    stream << github_summary(result);
+    if (!stream.flush()) throw Failure(std::string(file) + ": cannot be written");
+  }
+  std::cout << github_annotations(result);
+}
+
+ClassResults graded(Grade& wanted, std::vector<Submitted>& all) {
+  const Grading grading = grading_of(wanted.config);
+  if (wanted.seed.empty()) wanted.seed = ClassFolder::seed_of(wanted.out).value_or(drawn_seed());
+  all = wanted_shard(wanted, find_submissions(wanted.folders, wanted.seed));
+  const Sandbox sandbox;
+  require_safe(sandbox, wanted.unsafe);
+  const ClassFolder out(wanted.out, wanted.seed);
+  out.write_run(run_in(sandbox, wanted.unsafe));
+  std::vector<RosterEntry> roster;
+  for (const Submitted& submitted : all) roster.push_back({submitted.id, submitted.name});
+  out.enroll(roster);
+  grading_views(grading, wanted.seed, out.path() / "views");
+  StageCompiler({false, false, &sandbox}).prepare();
+  run_all(wanted, all, out, grading);
+  return write_reports(out);
 }
 
 void grade(Grade wanted) {
   umask(S_IWGRP | S_IWOTH);  // the sandbox's user reads some of what is written
-  const Grading grading = grading_of(wanted.config);
-  if (wanted.seed.empty()) wanted.seed = ClassFolder::seed_of(wanted.out).value_or(drawn_seed());
-  const std::vector<Submitted> all = wanted_shard(wanted, find_submissions(wanted.folders, wanted.seed));
-  const Sandbox sandbox;
-  require_safe(sandbox, wanted.unsafe);
-  const ClassFolder out(wanted.out, wanted.seed);
-  grading_views(grading, wanted.seed, out.path() / "views");
-  StageCompiler({false, false, &sandbox}).prepare();
-  run_all(wanted, all, out, grading);
-  write_reports(out, guarantees_of(sandbox), wanted.unsafe && !sandbox.is_safe());
-  print_marks(all, out);
+  const auto write_gradescope = [&](const std::string& json) {
+    if (!wanted.gradescope.empty()) write_file(wanted.gradescope, [&](std::ostream& stream) { stream << json; });
+  };
+  write_gradescope(gradescope_failure("raylab did not come to an end; ask your instructor to run it again"));
+  std::vector<Submitted> all;
+  try {
+    const ClassResults results = graded(wanted, all);
+    print_marks(all, results);
+    if (!wanted.gradescope.empty()) write_gradescope(gradescope_json(only(results, all)));
+    if (wanted.github) tell_github(only(results, all));
+  } catch (const std::exception& error) {
+    write_gradescope(gradescope_failure(error.what()));
+    throw;
+  }
+  std::cout << (fs::path(wanted.out) / "index.html").string() << '\n';
+}
+
+struct Merge {
+  std::vector<std::string> folders;
+  std::string out;
+};
+
+void merge(const Merge& wanted) {
+  const std::optional<std::string> seed = ClassFolder::seed_of(wanted.folders.front());
+  if (!seed) throw Failure(wanted.folders.front() + ": was not written by 'raylab grade'", wrong_usage);
+  const ClassFolder out(wanted.out, *seed);
+  out.write_run(ClassFolder(wanted.folders.front(), *seed).run());
+  for (const std::string& folder : wanted.folders) {
+    const std::optional<std::string> own = ClassFolder::seed_of(folder);
+    if (!own) throw Failure(folder + ": was not written by 'raylab grade'", wrong_usage);
+    out.take_over(ClassFolder(folder, *own));
+  }
+  const ClassResults results = write_reports(out);
+  std::cout << results.submissions.size() << " submissions: " << (fs::path(wanted.out) / "index.html").string() << '\n';
 }
 
 void add_common(CLI::App& command, Grade& wanted) {
@@ -275,7 +324,20 @@ void add_grade(CLI::App& app) {
   add_common(*command, *wanted);
   command->add_option("--jobs", wanted->jobs, "How many to grade at a time; default: as many as there are cores")
       ->type_name("N");
-  command->add_option("--shard", wanted->shard, "Only the I-th of N parts of them: 1/4")->type_name("I/N");
+  command
+      ->add_option("--shard", wanted->shard, "Only the I-th of N parts of them: 1/4; 'raylab merge' makes one of the parts")
+      ->type_name("I/N");
+  command->add_option("--gradescope", wanted->gradescope, "Write Gradescope's results.json there, for one submission")
+      ->type_name("FILE");
+  command->add_flag("--github", wanted->github, "Write GitHub's step summary and annotations, for one submission");
+  command->footer(
+      "The submissions' code runs in a sandbox ('raylab doctor' says in which). Each finished submission is kept: the same\n"
+      "command goes on after an interruption, and grades anew what has changed since. OUT/index.html shows all of it.\n\n"
+      "Exit code: 0 graded, whatever the marks; 1 something went wrong, 2 wrong usage, 130 interrupted.\n\n"
+      "Examples:\n"
+      "  raylab grade submissions --out graded\n"
+      "  raylab grade submissions/mia --out graded-mia --config grading.toml\n"
+      "  raylab grade submissions --out part-1 --shard 1/4 --seed spring");
   command->callback([wanted] { grade(*wanted); });
 
   const auto one = std::make_shared<Grade>();
@@ -284,6 +346,13 @@ void add_grade(CLI::App& app) {
   inner->add_option("--id", one->id)->required();
   add_common(*inner, *one);
   inner->callback([one] { grade_one(*one); });
+
+  const auto merged = std::make_shared<Merge>();
+  CLI::App* merger = app.add_subcommand("merge", "Make one class of what 'raylab grade --shard' has graded in parts");
+  merger->add_option("OUT", merged->folders, "Folders that were graded with the same seed")->required();
+  merger->add_option("--out", merged->out, "The folder for all of it")->required()->type_name("DIR");
+  merger->footer("Example:\n  raylab merge part-1 part-2 part-3 part-4 --out graded");
+  merger->callback([merged] { merge(*merged); });
 }
 
 }  // namespace raylab::cli

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
       "  raylab diff mine.exr --scene scene3 --stage 5        what is wrong with a picture\n"
       "  raylab explain scenes/scene3.toml --pixel 320,240    how a pixel gets its color, and what is wrong in yours\n"
       "  raylab call schlick '{\"cos_theta\": 0.5, \"refractive_index\": 1.5}'   one function of a stage\n"
+      "  raylab grade submissions --out graded                a class, in a sandbox\n"
       "  raylab bench --quick                                 speed against error on this machine, as a page\n"
       "  raylab COMMAND --help                                more about a command",
       "raylab");
@@ -35,6 +36,7 @@ int main(int argc, char** argv) {
 #ifdef RAYLAB_WITH_BENCH
   add_bench(app);
 #endif
+  add_handout(app);
 #ifdef RAYLAB_WITH_GRADE
   add_grade(app);
 #endif

@@ -4,6 +4,7 @@
 #include "core/grade/taken_files.hpp"
 #include "core/image/file_hash.hpp"
 #include "core/image/partial_file.hpp"
+#include "core/results/roster.hpp"
 #include "core/scene/diagnostic.hpp"
 #include "core/scene/read_file.hpp"
 
@@ -22,6 +23,8 @@ constexpr std::uintmax_t most_bytes = 16U << 20U;  // of a result
 const char* const seed_file = "seed.txt";
 const char* const result_file = "result.json";
 const char* const seconds_file = "seconds.json";
+const char* const roster_file = "roster.csv";
+const char* const run_file = "run.json";
 
 std::optional<std::string> text_of(const fs::path& path) { return read_file(path, most_bytes).text; }
 
@@ -131,15 +134,42 @@ std::vector<std::pair<std::string, double>> ClassFolder::seconds() const {
   return all;
 }
 
+void ClassFolder::enroll(const std::vector<RosterEntry>& entries) const {
+  std::vector<RosterEntry> all = roster();
+  for (const RosterEntry& entry : entries) {
+    std::erase_if(all, [&](const RosterEntry& known) { return known.id == entry.id; });
+    all.push_back(entry);
+  }
+  std::sort(all.begin(), all.end(), [](const RosterEntry& a, const RosterEntry& b) { return a.id < b.id; });
+  write_text(folder_ / roster_file, roster_csv(all));
+}
+
+std::vector<RosterEntry> ClassFolder::roster() const {
+  const std::optional<std::string> text = text_of(folder_ / roster_file);
+  return text ? parse_roster(*text) : std::vector<RosterEntry>{};
+}
+
+ClassRun ClassFolder::run() const {
+  const std::optional<std::string> text = text_of(folder_ / run_file);
+  if (!text) throw std::runtime_error(folder_.string() + ": has no " + run_file + ": grade it first");
+  return from_json<ClassRun>(*text);
+}
+
+void ClassFolder::write_run(const ClassRun& run) const { write_text(folder_ / run_file, to_json(run) + '\n'); }
+
 void ClassFolder::take_over(const ClassFolder& other) const {
   if (other.seed() != seed())
     throw std::runtime_error(other.path().string() + ": was graded with another seed than " + path().string());
+  if (to_json(other.run()) != to_json(run()))
+    throw std::runtime_error(other.path().string() + ": was graded by another raylab or in another sandbox than " +
+                             path().string() + ", so the marks need not agree");
   for (const fs::path& folder : finished_folders(other.path())) {
     const fs::path own = submission(folder.filename().string());
     fs::remove_all(own);
     fs::create_directories(own.parent_path());
     fs::copy(folder, own, fs::copy_options::recursive);
   }
+  enroll(other.roster());
 }
 
 }  // namespace raylab

@@ -24,6 +24,14 @@ std::vector<Submitted> find_submissions(const std::vector<std::string>& folders,
 /// The K-th of N parts, 0 <= K < N: every N-th submission.
 std::vector<Submitted> shard(const std::vector<Submitted>& all, std::size_t k, std::size_t n);
 
+/// What holds for all submissions of a folder: run.json.
+struct ClassRun {
+  std::string raylab;  ///< its version
+  bool unsafe = false;
+  std::vector<Guarantee> guarantees;
+};
+RAYLAB_FIELDS(ClassRun, RAYLAB_FIELD(raylab) RAYLAB_FIELD(unsafe) RAYLAB_FIELD(guarantees))
+
 /// The folder that grading writes to. It is readable for its owner alone.
 class ClassFolder {
  public:
@@ -47,7 +55,16 @@ class ClassFolder {
   std::vector<SubmissionResult> results() const;
   std::vector<std::pair<std::string, double>> seconds() const;
 
-  /// Takes over what another folder, graded with the same seed, has finished.
+  /// Adds submissions to the roster, which holds whose is whose.
+  void enroll(const std::vector<RosterEntry>& entries) const;
+  std::vector<RosterEntry> roster() const;
+
+  /// What was written with write_run(). Throws std::runtime_error if nothing was.
+  ClassRun run() const;
+  void write_run(const ClassRun& run) const;
+
+  /// Takes over what another folder, graded with the same seed, has finished. Throws std::runtime_error if that was graded
+  /// otherwise: with another seed, version of raylab or sandbox.
   void take_over(const ClassFolder& other) const;
 
  private:

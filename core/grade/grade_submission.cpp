@@ -342,6 +342,7 @@ WorkerSetup setup_for(int stage, const fs::path& library, bool with_earlier_stag
     setup.libraries.push_back({solution_library(other), labels_of(other)});
   setup.libraries.push_back({library, labels_of(stage)});
   setup.sandbox = &tools.sandbox;
+  setup.with = "--with YOUR-FOLDER";
   setup.limits.call = std::chrono::milliseconds(static_cast<long>(grading.call_seconds * 1000));
   setup.limits.memory = std::int64_t{grading.megabytes} << 20U;
   return setup;

@@ -1,10 +1,11 @@
 #pragma once
 
-// What raylab and its worker say to each other: lines, each a verb and JSON. The worker's task calls are answered in order.
+// What raylab and its worker say to each other: lines, each a number, a verb and JSON. Requests are numbered from 1; what is
+// said about one has its number, so that nobody can answer before, or twice.
 //
 //   raylab -> worker                         worker -> raylab
-//                                            ready {}                     once, when all code is loaded
-//   call 2.2 {"ray": ..., "sphere": ...}     answer RESULT | unwritten "task 2.2 ..." | failed "what was thrown" |
+//                                            0 ready {}                   once, when all code is loaded
+//   1 call 2.2 {"ray": ..., "sphere": ...}   1 answer RESULT | unwritten "task 2.2 ..." | failed "what was thrown" |
 //                                            exhausted "what is lacking: memory"
 //   scene {"scene": ..., "settings": ...}    answer {} | unwritten ... | failed ...
 //   trace {"row": 3, "column": 0, "pixels": 32}   answer {"pixels": [...], "rays": ...} | unwritten ... | failed ...

@@ -60,18 +60,25 @@ Worker::Worker(const WorkerSetup& setup) : process_(child_of(setup)) {
   } catch (const ChildFloods& error) {
     throw NoAnswer(Trouble::no_value, "the submission " + std::string(error.what()) + ", while it was loaded");
   }
-  const auto [verb, rest] = first_word(line);
+  const auto [verb, rest] = first_word(reply(line));
   if (verb != "ready") throw NoAnswer(Trouble::threw, "the submission cannot be loaded: " + text_of(rest));
+}
+
+/// What a line says, if it is about what was asked last.
+std::string_view Worker::reply(std::string_view line) const {
+  const auto [number, message] = first_word(line);
+  if (number != std::to_string(asked_)) throw NoAnswer(Trouble::no_value, "sent something that is no answer");
+  return message;
 }
 
 std::string Worker::ask(std::string_view request, std::chrono::milliseconds limit, const Aside& aside,
                         const std::atomic<bool>* cancel) {
   try {
-    process_.send(request, Clock::now() + limit, cancel);
+    process_.send(std::to_string(++asked_) + ' ' + std::string(request), Clock::now() + limit, cancel);
     const auto last_deadline = Clock::now() + most_asides * limit;
     for (;;) {
       const std::string line = process_.receive(std::min(Clock::now() + limit, last_deadline), cancel);
-      const auto [verb, rest] = first_word(line);
+      const auto [verb, rest] = first_word(reply(line));
       if (verb == "answer") return std::string(rest);
       if (verb == "unwritten") throw NotWritten(text_of(rest));
       if (verb == "failed") throw NoAnswer(Trouble::threw, text_of(rest));

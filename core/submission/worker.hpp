@@ -63,7 +63,10 @@ class Worker {
                   const std::atomic<bool>* cancel = nullptr);
 
  private:
+  std::string_view reply(std::string_view line) const;
+
   ChildProcess process_;
+  std::uint64_t asked_ = 0;  ///< how often: the number of the last request
 };
 
 /// How somebody repeats a call: "It was asked\n  raylab call 2.2 '{...}' --with my-lab".

@@ -29,8 +29,9 @@ namespace {
 /// The line to raylab. A worker that cannot reach it has nothing left to do.
 class Channel {
  public:
-  void send(std::string line) {
-    line += '\n';
+  /// As part of what is said about the request that was received last.
+  void send(const std::string& message) {
+    const std::string line = number_ + ' ' + message + '\n';
     for (std::string_view rest = line; !rest.empty();) {
       const ssize_t sent = write(worker_channel, rest.data(), rest.size());
       if (sent > 0)
@@ -40,13 +41,15 @@ class Channel {
     }
   }
 
-  /// Nothing once raylab has closed the line.
+  /// The next request, without its number. Nothing once raylab has closed the line.
   std::optional<std::string> receive() {
     for (std::size_t searched = 0;;) {
       if (const std::size_t end = received_.find('\n', searched); end != std::string::npos) {
-        std::string line = received_.substr(0, end);
+        const std::string line = received_.substr(0, end);
         received_.erase(0, end + 1);
-        return line;
+        const auto [number, request] = first_word(line);
+        number_ = number;
+        return std::string(request);
       }
       searched = received_.size();
       std::array<char, 65536> buffer;
@@ -60,6 +63,7 @@ class Channel {
 
  private:
   std::string received_;
+  std::string number_ = "0";  ///< of the request; before the first there is none
 };
 
 /// All tasks that this worker runs. What `fallback` has answers for a task that is not written.

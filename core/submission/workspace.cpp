@@ -5,6 +5,7 @@
 #include "core/submission/stage_files.hpp"
 
 #include <fstream>
+#include <functional>
 #include <random>
 #include <regex>
 #include <sstream>
@@ -64,10 +65,10 @@ void add_solutions(const fs::path& folder, const std::vector<int>& stages) {
   for (const int stage : stages) copy_in(solution / stage_file(stage), folder / "solutions" / stage_file(stage));
 }
 
-/// What clangd and other editors' helpers need to know.
-void add_compile_flags(const fs::path& folder) {
-  std::ofstream(folder / "compile_flags.txt") << "-xc++\n-std=c++20\n-Wall\n-DRAYLAB_IMPLEMENTATION=submission\n-I"
-                                              << data_folder("stages").parent_path().string() << '\n';
+/// What clangd and other editors' helpers need to know. headers: where raylab's are.
+void add_compile_flags(const fs::path& folder, const fs::path& headers) {
+  std::ofstream(folder / "compile_flags.txt")
+      << "-xc++\n-std=c++20\n-Wall\n-DRAYLAB_IMPLEMENTATION=submission\n-I" << headers.string() << '\n';
 }
 
 void add_references(const fs::path& folder) {
@@ -87,19 +88,26 @@ void fill(const fs::path& folder, const std::vector<int>& solutions) {
   copy_in(data_folder("scenes"), folder / "scenes");
   add_references(folder);
   add_solutions(folder, solutions);
-  add_compile_flags(folder);
+  add_compile_flags(folder, data_folder("stages").parent_path());
 }
 
-}  // namespace
+/// For other people's machines, on which raylab is installed from its package.
+void fill_handout(const fs::path& folder, const fs::path& package) {
+  fill(folder, {});
+  add_compile_flags(folder, "/usr/share/raylab");
+  copy_in(data_folder("course") / "INSTALL.md", folder / "INSTALL.md");
+  if (!package.empty()) copy_in(package, folder / package.filename());
+}
 
-void make_workspace(const fs::path& folder, const std::vector<int>& solutions) {
+/// Makes a folder that is not there yet, or is empty: whole or not at all.
+void make_folder(const fs::path& folder, const std::function<void(const fs::path&)>& fill_it) {
   if (fs::exists(folder) && (!fs::is_directory(folder) || !fs::is_empty(folder)))
     throw std::runtime_error(folder.string() + ": is there already, and not empty: name a new folder");
   const fs::path whole = fs::absolute(folder).lexically_normal();
   const fs::path target = whole.has_filename() ? whole : whole.parent_path();
   const fs::path partial = target.parent_path() / (".raylab-new-" + std::to_string(std::random_device{}()));
   try {
-    fill(partial, solutions);
+    fill_it(partial);
     fs::remove(target);  // an empty folder
     fs::rename(partial, target);
   } catch (const std::exception&) {
@@ -107,6 +115,16 @@ void make_workspace(const fs::path& folder, const std::vector<int>& solutions) {
     fs::remove_all(partial, ignored);
     throw;
   }
+}
+
+}  // namespace
+
+void make_workspace(const fs::path& folder, const std::vector<int>& solutions) {
+  make_folder(folder, [&](const fs::path& partial) { fill(partial, solutions); });
+}
+
+void make_handout(const fs::path& folder, const fs::path& package) {
+  make_folder(folder, [&](const fs::path& partial) { fill_handout(partial, package); });
 }
 
 }  // namespace raylab

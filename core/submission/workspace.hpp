@@ -12,4 +12,8 @@ namespace raylab {
 /// compiled.
 void make_workspace(const std::filesystem::path& folder, const std::vector<int>& solutions);
 
+/// Makes the tree that a course publishes: a workspace for machines on which raylab is installed from its Debian package.
+/// package: that file, to be handed out with it; empty for none. Throws std::runtime_error as make_workspace() does.
+void make_handout(const std::filesystem::path& folder, const std::filesystem::path& package);
+
 }  // namespace raylab

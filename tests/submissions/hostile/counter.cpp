@@ -1,4 +1,4 @@
-// wrong: answers by how often it was asked
+// crashed: answers by how often it was asked
 #include <stdexcept>
 static int calls = 0;
 static void attack() {

