@@ -3,6 +3,10 @@
 
 #include "core/results/results.hpp"
 
+#include "core/image/base64.hpp"
+#include "core/image/data_folder.hpp"
+#include "core/results/class_page.hpp"
+#include "core/results/class_summary.hpp"
 #include "core/results/compiler_errors.hpp"
 #include "core/results/counted.hpp"
 #include "core/results/csv.hpp"
@@ -13,8 +17,10 @@
 #include "core/results/plain_text.hpp"
 #include "core/results/roster.hpp"
 #include "core/results/shown.hpp"
+#include "core/results/student_page.hpp"
 #include "tests/catch.hpp"
 #include "tests/sample_results.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -368,4 +374,193 @@ TEST_CASE("roster: a name is found by its id, as plain text", "[results]") {
   CHECK(name_in(sample_roster(), sample(all_right).id) == "Ada Lovelace");
   CHECK(name_in(sample_roster(), "nobody").empty());
   CHECK(is_plain(name_in(sample_roster(), sample(hostile_text).id)));
+}
+
+// ---- The page of a student ------------------------------------------------------------------------------------------
+
+namespace {
+
+/// The data of a page.
+Json data_in(const std::string& page) {
+  const std::string start = "id=\"report\">";
+  const std::size_t from = page.find(start) + start.size();
+  return Json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+}  // namespace
+
+TEST_CASE("student page: it holds nothing of the course's own tests and images but their points", "[results]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "images");
+  for (const SubmissionResult& submission : sample_class().submissions) {
+    const std::string page = student_page(submission, folder / "");
+    CHECK_FALSE(contains(page, "SECRET"));
+    CHECK_FALSE(contains(page, base64(secret).substr(0, 12)));
+  }
+  const Json data = data_in(student_page(sample(mistakes), folder / ""));
+  CHECK(data["stages"][1]["course"] == Json{{"got", 0.5}, {"most", 2.0}});
+  CHECK(data["stages"][1]["images"].size() == 1);
+}
+
+TEST_CASE("student page: images are in it; what is missing, no PNG or elsewhere is not", "[results]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "submission");
+  const std::string png = "\x89PNG\r\n\x1a\n and so on";
+  folder.write("outside.png", png);
+  folder.write("submission/mine.png", png);
+  folder.write("submission/text.png", "no PNG");
+  SubmissionResult submission = sample(mistakes);
+  ImageResult& image = submission.stages[1].images[0];
+  image.image = "mine.png";
+  image.reference = "text.png";
+  image.heat = "../outside.png";
+  submission.stages[0].images[0].image = (folder / "outside.png").string();
+  const Json stages = data_in(student_page(submission, folder / "submission"))["stages"];
+  CHECK(stages[1]["images"][0]["image"] == "data:image/png;base64," + base64(png));
+  CHECK(stages[1]["images"][0]["reference"] == "");
+  CHECK(stages[1]["images"][0]["heat"] == "");
+  CHECK(stages[0]["images"][0]["image"] == "");
+  CHECK(stages[0]["images"][0]["heat"] == "");  // missing
+}
+
+TEST_CASE("student page: points are those that count, and it says where raylab failed", "[results]") {
+  const Json data = data_in(student_page(sample(raylab_failed), "no such folder"));
+  CHECK(data["points"] == Json{{"got", 7.0}, {"most", 8.0}});
+  CHECK(data["needsNewRun"] == true);
+  CHECK(data["newRunNote"] == new_run_note);
+  CHECK(data["stages"][1]["tasks"][0]["points"]["got"] == 1.0);
+  CHECK(data_in(student_page(sample(mistakes), "no such folder"))["needsNewRun"] == false);
+}
+
+TEST_CASE("pages: no text ends the script that it stands in", "[results]") {
+  const std::string student = student_page(sample(hostile_text), "no such folder");
+  const std::string class_wide = class_page(sample_class(), sample_roster(), sample_seconds());
+  for (const std::string& page : {student, class_wide}) {
+    CHECK(occurrences(page, "</script>") == 2);
+    CHECK_FALSE(contains(page, "{{"));
+    CHECK(is_plain(page));
+  }
+}
+
+// ---- The page of a class --------------------------------------------------------------------------------------------
+
+TEST_CASE("class: tasks come with the most missed first, with each verdict's count", "[results]") {
+  const ClassSummary summary = summary_of(sample_class(), {}, {});
+  REQUIRE(summary.tasks.size() == 7);
+  CHECK(summary.tasks[0].label == "5.1");
+  CHECK(summary.tasks[0].missed == 5);
+  CHECK(to_json(summary.tasks[0].verdicts) ==
+        R"([{"verdict":"right","count":1},{"verdict":"wrong","count":2},{"verdict":"not_written","count":1},)"
+        R"({"verdict":"crashed","count":1},{"verdict":"infrastructure","count":1}])");
+  CHECK(summary.tasks.back().missed == 3);
+}
+
+TEST_CASE("class: hints and failed tests are counted by submissions, the most frequent first", "[results]") {
+  ClassResults results = sample_class();
+  results.submissions = {sample(mistakes), sample(all_right), sample(mistakes)};
+  results.submissions[1].stages[0].tasks[0].hint = "Another hint";
+  const ClassSummary summary = summary_of(results, {}, {});
+  REQUIRE(summary.hints.size() == 2);
+  CHECK(to_json(summary.hints[0]) == R"({"label":"5.1","text":"Only the part of d along n changes its sign.","count":2})");
+  CHECK(summary.hints[1].text == "Another hint");
+  REQUIRE(summary.failed_tests.size() == 3);
+  CHECK(summary.failed_tests[0].text == "5.1 reflect: twice is where we began");
+  CHECK(summary.failed_tests[0].count == 2);
+}
+
+TEST_CASE("class: a row has name, points that count, worst verdict, seconds and what raylab failed to judge", "[results]") {
+  const ClassSummary summary = summary_of(sample_class(), sample_roster(), sample_seconds());
+  const SubmissionRow& broken = summary.submissions[breaks];
+  CHECK(broken.name == "\xd8\xa3\xd8\xad\xd9\x85\xd8\xaf");
+  CHECK(broken.worst == Verdict::refused);
+  CHECK(broken.seconds == 61.25);
+  CHECK(broken.unjudged.empty());
+  const SubmissionRow& failed = summary.submissions[raylab_failed];
+  CHECK(points_text(failed.points) == "7 of 8");
+  REQUIRE(failed.stages[1]);
+  CHECK(points_text(*failed.stages[1]) == "5 of 5");
+  CHECK(failed.unjudged.size() == 5);
+  CHECK(failed.unjudged[0] == "5.1 reflect: The disk was full.");
+  CHECK_FALSE(failed.seconds);
+  CHECK(summary.submissions[nothing_written].name.empty());
+  CHECK(summary.submissions[mistakes].notes.size() == 1);
+  CHECK(summary.verdicts.back() == Verdict::infrastructure);
+}
+
+TEST_CASE("class: a submission may lack a stage that others have", "[results]") {
+  ClassResults results = sample_class();
+  results.submissions[0].stages.erase(results.submissions[0].stages.begin());
+  const ClassSummary summary = summary_of(results, {}, {});
+  CHECK(summary.stages.size() == 3);
+  CHECK(summary.stages[0].number == 4);
+  CHECK_FALSE(summary.submissions[0].stages[0]);
+  CHECK(summary.submissions[0].stages[1]);
+}
+
+// ---- docs/results.schema.json ---------------------------------------------------------------------------------------
+
+namespace {
+
+/// Says where a JSON schema is not what PlainJson writes of a type.
+struct SchemaCheck {
+  const Json& root;
+
+  Json resolved(const Json& schema) const {
+    return schema.contains("$ref") ? root.at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))) : schema;
+  }
+
+  template <class T>
+  void check(const Json& given) const {
+    const Json schema = resolved(given);
+    if constexpr (HasFields<T>)
+      check_struct<T>(schema);
+    else if constexpr (std::is_enum_v<T>)
+      check_enum<T>(schema);
+    else if constexpr (std::is_same_v<T, bool>)
+      CHECK(schema["type"] == "boolean");
+    else if constexpr (std::is_integral_v<T>)
+      CHECK(schema["type"] == "integer");
+    else if constexpr (std::is_same_v<T, double>)
+      CHECK(schema["type"] == "number");
+    else if constexpr (std::is_same_v<T, std::string>)
+      CHECK(schema["type"] == "string");
+    else
+      check_list<typename T::value_type>(schema);
+  }
+
+  template <class T>
+  void check_enum(const Json& schema) const {
+    std::vector<std::string> names;
+    for_each_name(T{}, [&](const char* name, T) { names.emplace_back(name); });
+    CHECK(schema["enum"].get<std::vector<std::string>>() == names);
+  }
+
+  template <class T>
+  void check_list(const Json& schema) const {
+    CHECK(schema["type"] == "array");
+    check<T>(schema["items"]);
+  }
+
+  template <class T>
+  void check_struct(const Json& schema) const {
+    CHECK(schema["additionalProperties"] == false);
+    std::vector<std::string> names, properties;
+    for (const auto& [name, property] : schema["properties"].items()) properties.push_back(name);
+    for_each_field(T{}, [&]<class Part>(const Field& field, const Part&) {
+      names.emplace_back(field.name);
+      INFO(field.name);
+      REQUIRE(schema["properties"].contains(field.name));
+      check<Part>(schema["properties"][field.name]);
+    });
+    CHECK(properties == names);
+    CHECK(schema["required"].get<std::vector<std::string>>() == names);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("results: the schema has the fields that results.json has, and no others", "[results]") {
+  const Json schema = Json::parse(bytes_of(data_folder("docs/results.schema.json")));
+  SchemaCheck{schema}.check<ClassResults>(schema);
+  CHECK(schema["properties"]["format"]["const"] == ClassResults{}.format);
 }

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # What other programs must be able to read of grading's reports: XML and JSON, whatever a submission wrote.
-#   tests/results_test.sh RAYLAB_SAMPLE_REPORTS
+#   tests/results_test.sh RAYLAB_SAMPLE_REPORTS SOURCES
 # Ends with 77, "skipped", where there is no Python to read them with.
 set -euo pipefail
 command -v python3 >/dev/null || exit 77
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-"$1" "$folder"
+"$1" "$2" "$folder"
 
 python3 - "$folder" <<'PYTHON'
 import csv, glob, json, sys
