@@ -1,6 +1,8 @@
-// Proves of each known mistake that unit tests of its own task fail and none of an earlier task, whether they judge one of
-// raylab's own tables or a submission, and that an image of a checked-in scene shows it; or, where the mistake is marked so,
-// that no image does, or that nothing does. Exit code 1 if a statement does not hold.
+// Proves of each known mistake that unit tests of its own task fail and none of an earlier task, where they judge one of
+// raylab's own tables, and none of any other task where they judge a submission, though tasks that ask the mistaken one give
+// wrong answers; that two mistakes in two tasks of a stage fail the tests of both; and that an image of a checked-in scene
+// shows the mistake; or, where it is marked so, that no image does, or that nothing does. Exit code 1 if a statement does
+// not hold.
 //   raylab-mistakes              prints the page docs/mistakes.md: of each mistake, the scene that shows it best
 //   raylab-mistakes PAGE         asks the scenes that PAGE names, and fails if PAGE is stale
 
@@ -50,7 +52,8 @@ std::string first_failure(const Totals& totals) { return totals.failures.empty()
 /// Who is judged: one of raylab's own tables, or a submission.
 struct Judgement {
   std::string_view of;
-  std::string (*tests)(std::string_view task);  ///< what is asked
+  std::string (*tests)(std::string_view task);     ///< what is asked
+  std::string (*unharmed)(std::string_view task);  ///< what must not fail, whatever is wrong in the task
   Totals (*run)(const std::string& selection, const StageTable& table, const std::filesystem::path& report);
 };
 
@@ -59,21 +62,21 @@ Totals run_as_submission(const std::string& selection, const StageTable& table, 
   return run_tests(selection, table, images, report);
 }
 
-const Judgement strict{"raylab's own table", tests_of,
+const Judgement strict{"raylab's own table", tests_of, tests_before,
                        [](const std::string& selection, const StageTable& table, const std::filesystem::path& report) {
                          return run_tests(selection, table, report);
                        }};
-const Judgement of_submissions{"a submission", tests_of_submission, run_as_submission};
+const Judgement of_submissions{"a submission", tests_of_submission, tests_of_submission_besides, run_as_submission};
 
-/// The tests of the mistake's own task, after those of the earlier tasks, which must not fail.
+/// The tests of the mistake's own task, after those of the tasks that it must not harm.
 Totals check_unit_tests(const Mistake& mistake, const StageTable& wrong, const Judgement& judgement,
                         Statements& statements) {
   const TemporaryFolder folder;
   const std::string who = full_name(mistake) + ", in " + std::string(judgement.of) + ": ";
-  if (const std::string earlier = tests_before(mistake.task, judgement.tests); !earlier.empty()) {
-    const Totals before = judgement.run(earlier, wrong, folder / "report");
-    statements.check(before.failed == 0 && before.passed > 0,
-                     who + "fails a test of an earlier task: " + first_failure(before));
+  if (const std::string others = judgement.unharmed(mistake.task); !others.empty()) {
+    const Totals of_others = judgement.run(others, wrong, folder / "report");
+    statements.check(of_others.failed == 0 && of_others.passed > 0,
+                     who + "fails a test of another task: " + first_failure(of_others));
   }
   const Totals own = judgement.run(judgement.tests(mistake.task), wrong, folder / "report");
   if (mistake.shows == Shows::nowhere)
@@ -81,6 +84,24 @@ Totals check_unit_tests(const Mistake& mistake, const StageTable& wrong, const J
   else
     statements.check(own.failed > 0, who + "fails no test of its own task");
   return own;
+}
+
+/// Right Schlick of the cosine in the glass is what a right 6.3 gets from a 6.2 that takes the cosine in air for it.
+bool cancel(const Mistake& first, const Mistake& second) {
+  return first.name == "the inner angle" && second.name == "from inside, the cosine in the glass";
+}
+
+/// Of a submission, on top of each known mistake in an earlier task of its stage, which it may ask: the tests of its own
+/// task must fail all the same.
+void check_second_mistake(const Mistake& mistake, const StageTable& right, Statements& statements) {
+  if (mistake.shows == Shows::nowhere) return;
+  const TemporaryFolder folder;
+  for (const Mistake& first : known_mistakes()) {
+    if (stage_of(first.task) != stage_of(mistake.task) || first.task >= mistake.task || cancel(first, mistake)) continue;
+    const StageTable both = with(mistake, with(first, right));
+    const Totals own = of_submissions.run(of_submissions.tests(mistake.task), both, folder / "report");
+    statements.check(own.failed > 0, full_name(mistake) + ": hidden by " + full_name(first));
+  }
 }
 
 /// On all scenes of the mistake's own stage and of the last one, where everything has joined.
@@ -151,6 +172,7 @@ int main(int argc, char** argv) {
   for (const Mistake& mistake : known_mistakes()) {
     const StageTable wrong = with(mistake, right);
     check_unit_tests(mistake, wrong, of_submissions, statements);
+    check_second_mistake(mistake, right, statements);
     found.push_back({mistake, check_unit_tests(mistake, wrong, strict, statements),
                      check_image(mistake, right, subjects, page, statements)});
   }

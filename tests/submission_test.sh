@@ -88,6 +88,31 @@ run 2 test --with bare
 says 'has none of the files that a submission may have: 01_rays.cpp'
 run 2 render "$source/scenes/scene3.toml" --with right --engine fast
 
+# a mistake fails its own task, and none that asks it and is right; one that is wrong by itself fails all the same
+fails() { # STAGE FOLDER TASK...: the tests of these tasks fail, and of no other task of the stage
+  local stage=$1 name=$2 task; shift 2
+  for task in $("$program" stages | grep -oE "^ +$stage\.[0-9]"); do
+    case " $* " in *" $task "*) run 1 test "$task" --with "$name" ;; *) run 0 test "$task" --with "$name" ;; esac
+  done
+}
+fails 5 wrong5 5.1
+edited wrong_twice 05_reflections.cpp 's/return d - 2/return 2/; s/hit.leaves}, k_s}/hit.leaves}, 1}/'
+fails 5 wrong_twice 5.1 5.2
+edited weight 03_blinn_phong.cpp 's|tanh(shininess / 400)|tanh(-shininess / 400)|'
+fails 3 weight 3.1
+edited diffuse 03_blinn_phong.cpp 's/(diffuse + specular)/(diffuse - specular)/'
+fails 3 diffuse 3.2
+edited weight_and_light 03_blinn_phong.cpp 's|shininess / 400|shininess / 200|; s|light.intensity / ((1 + r) \* (1 + r))|light.intensity / (r * r)|'
+fails 3 weight_and_light 3.1 3.3
+edited exit 06_refraction.cpp 's/exit = d - 2 \* g/exit = d - g/'
+fails 6 exit 6.1
+edited power 06_refraction.cpp 's/m \* m \* m \* m \* m/m * m * m * m/'
+fails 6 power 6.2
+edited exit_and_mix 06_refraction.cpp 's/exit = d - 2 \* g/exit = d - g/; s/{\*exit, 1 - R}/{*exit, 1}/'
+fails 6 exit_and_mix 6.1 6.3
+edited unasked 05_reflections.cpp 's/^  return d - 2/  throw 1; return d - 2/; s/{hit.point, reflect(hit.direction, hit.normal)/{hit.point, hit.direction - 2 * dot(hit.direction, hit.normal) * hit.normal/'
+fails 5 unasked 5.1
+
 # what does not compile says so by the student's own file and line, and only where it matters
 edited unfinished 03_blinn_phong.cpp 's/return std::tanh(shininess/return std::tanh(shine/'
 run 1 render "$source/scenes/scene1.toml" --with unfinished

@@ -58,15 +58,15 @@ inline double allowed(double strict, double size = 1) {
   return judging_submission() ? std::max(strict, float_tolerance * size) : strict;
 }
 
-/// "Equal but for rounding": CHECK(actual == within(1e-14, expected)). The tolerance is absolute; a NaN is never within. For
-/// submissions it is allowed() of `size`, or of what is expected if that is larger.
+/// "Equal but for rounding": CHECK(actual == within(1e-14, expected)). The tolerance is absolute; within of a NaN is a NaN
+/// only. For submissions it is allowed() of `size`, or of what is expected if that is larger.
 template <class T>
 struct Within {
   double tolerance;
   T expected;
 };
-inline double size_of(double value) { return std::abs(value); }
-inline double size_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+inline double size_of(double value) { return std::isfinite(value) ? std::abs(value) : 0; }
+inline double size_of(const Vec3& v) { return std::max({size_of(v.x), size_of(v.y), size_of(v.z)}); }
 template <class T>
 Within<T> within(double tolerance, const T& expected, double size = 1) {
   return {allowed(tolerance, std::max(size, size_of(expected))), expected};
@@ -78,8 +78,14 @@ inline double deviation(const Vec3& a, const Vec3& b) {
          (std::isnan(a.x + a.y + a.z) ? std::numeric_limits<double>::quiet_NaN() : 0);
 }
 
-inline bool operator==(double actual, const Within<double>& w) { return deviation(actual, w.expected) <= w.tolerance; }
-inline bool operator==(const Vec3& actual, const Within<Vec3>& w) { return deviation(actual, w.expected) <= w.tolerance; }
+inline bool operator==(double actual, const Within<double>& w) {
+  return std::isnan(w.expected) ? std::isnan(actual) : deviation(actual, w.expected) <= w.tolerance;
+}
+inline bool operator==(const Vec3& actual, const Within<Vec3>& w) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(actual[axis] == Within<double>{w.tolerance, w.expected[axis]})) return false;
+  return true;
+}
 inline bool operator==(const std::optional<double>& actual, const Within<double>& w) { return actual && *actual == w; }
 
 /// Where a ray starts: CHECK(ray.origin == start_at(hit.point, ray.direction)). At `point` itself; that of a submission up

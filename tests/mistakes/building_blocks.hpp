@@ -98,11 +98,23 @@ GlassBounces glass(const Sphere& sphere, double index, const Hit& hit) {
   return {{mirrored, weights.reflected}, {{hit.point, *out, {hit.leaves.geometry, Side::outwards}}, weights.refracted}};
 }
 
-template <Through pass, Schlick schlick = right_schlick, Mix mix = right_mix>
-void put_glass(StageTable& table) {
+inline constexpr Through right_through = through<right_exit>;
+
+template <Through pass>
+void put_through(StageTable& table) {
   table.through_sphere = pass;
+  table.glass_bounces = glass<pass, right_schlick, right_mix>;
+}
+
+template <Schlick schlick>
+void put_schlick(StageTable& table) {
   table.schlick = schlick;
-  table.glass_bounces = glass<pass, schlick, mix>;
+  table.glass_bounces = glass<right_through, schlick, right_mix>;
+}
+
+template <Mix mix>
+void put_mix(StageTable& table) {
+  table.glass_bounces = glass<right_through, right_schlick, mix>;
 }
 
 }  // namespace raylab::test

@@ -14,7 +14,10 @@ What students get wrong, and what finds it. Each mistake of [`tests/mistakes/`](
 itself, and then
 
 * at least one unit test of its own task fails, and none of an earlier task: judged like the solution, with all tests to the
-  last digits, and like a submission too, which may compute in float and is not asked the `[hard]` ones;
+  last digits;
+* the same, judged like a submission, which may compute in float and is not asked the `[hard]` ones. Then no test of a later
+  task fails, either, though tasks that ask the mistaken one go wrong with it: [a mistake fails its own
+  task](submissions.md#a-mistake-fails-its-own-task);
 * an image that `raylab diff` judges is wrong, with a score of at least 2, where 1 is [the limit](tolerance.md): of a scene of
   its own stage or, where that stage cannot show it (a normal, say, in a picture of flat colors), of the next stage that can.
 
