@@ -61,15 +61,15 @@ check 'no escape sequence in any result' bash -c "! grep -lP '\\x1b' '$out'/resu
 
 
 # A class of four: reports, going on, parts that are merged.
-mkdir small && cp -r "$class/good" small/ada && cp -r "$class/answers_nan" small/bob && cp -r "$class/nothing" small/cy && cp -r "$class/counter" small/dee
+mkdir small && cp -r "$class/good" small/ada-lovelace && cp -r "$class/answers_nan" small/bob && cp -r "$class/nothing" small/cy && cp -r "$class/counter" small/dee
 run 0 grade small --out whole --seed test --config grading.toml
-prints 'ada: 100 of 100, bonus 30 of 30'
+prints 'ada-lovelace: 100 of 100, bonus 30 of 30'
 for file in index.html results.json gradebook.csv junit.xml roster.csv; do check "there is $file" test -s whole/$file; done
-check 'the gradebook has names and marks' grep -q '^ada,' whole/gradebook.csv
-ada=$(id_of ada) bob=$(id_of bob)
+check 'the gradebook has names and marks' grep -q ',ada-lovelace,100,100,30,30,' whole/gradebook.csv
+ada=$(id_of ada-lovelace) bob=$(id_of bob)
 check 'a page for each student' test -s "whole/submissions/$ada/report.html"
 check 'no hidden image on it' bash -c "! grep -q 'hidden/' whole/submissions/$bob/report.html"
-check 'nobody else on it' bash -c "! grep -qE 'ada|$ada' whole/submissions/$bob/report.html"
+check 'nobody else on it' bash -c "! grep -qE 'lovelace|$ada' whole/submissions/$bob/report.html"
 
 mkdir before && cp whole/{results.json,gradebook.csv,junit.xml,roster.csv} before
 run 0 grade small --out whole --config grading.toml
@@ -113,7 +113,19 @@ run 2 grade small --out x --config bad.toml
 says 'bad.toml:2:'
 says 'bad.toml:3:'
 says 'bad.toml:5:'
+printf "[[hidden_test]]\ntask = '5.1'\ncall = '{\"d\": 1}'\n" >bad.toml
+run 2 grade small --out x --config bad.toml
+says 'hidden_test[0].call: d: '
 check 'nothing was written' test ! -e x
+
+# A hidden test counts, and the student's page tells nothing of it.
+mkdir -p edge/fay && sed 's/^  return d - 2 \*/  if (d.x == 0.28) return d;\n&/' "$solution/05_reflections.cpp" >edge/fay/05_reflections.cpp
+printf "[[hidden_test]]\ntask = '5.1'\ncall = '{\"d\": [0.28, -0.96, 0], \"n\": [0, 1, 0]}'\n" >hidden.toml
+run 0 grade edge --out edges --seed test --config hidden.toml
+out=$folder/edges
+expect fay 5.1 wrong
+check 'the page of the student tells nothing of a hidden test' bash -c "! grep -q '0.28' edges/submissions/$(id_of fay)/report.html"
+check 'results.json does' grep -q '0.28' edges/results.json
 mkdir full && touch full/note
 run 1 grade small --out full
 says 'holds something else'

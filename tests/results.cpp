@@ -455,14 +455,14 @@ TEST_CASE("class: tasks come with the most missed first, with each verdict's cou
   CHECK(summary.tasks.back().missed == 3);
 }
 
-TEST_CASE("class: hints and failed tests are counted by submissions, the most frequent first", "[results]") {
+TEST_CASE("class: known mistakes and failed tests are counted by submissions, the most frequent first", "[results]") {
   ClassResults results = sample_class();
   results.submissions = {sample(mistakes), sample(all_right), sample(mistakes)};
-  results.submissions[1].stages[0].tasks[0].hint = "Another hint";
+  results.submissions[1].stages[0].tasks[0].mistake = "another one";
   const ClassSummary summary = summary_of(results, {}, {});
-  REQUIRE(summary.hints.size() == 2);
-  CHECK(to_json(summary.hints[0]) == R"({"label":"5.1","text":"Only the part of d along n changes its sign.","count":2})");
-  CHECK(summary.hints[1].text == "Another hint");
+  REQUIRE(summary.mistakes.size() == 2);
+  CHECK(to_json(summary.mistakes[0]) == R"({"label":"5.1","text":"plus for minus","count":2})");
+  CHECK(summary.mistakes[1].text == "another one");
   REQUIRE(summary.failed_tests.size() == 3);
   CHECK(summary.failed_tests[0].text == "5.1 reflect: twice is where we began");
   CHECK(summary.failed_tests[0].count == 2);

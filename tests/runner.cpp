@@ -34,21 +34,23 @@ using AssertionEnded = bool;
 
 constexpr std::string_view unknown = "{Unknown expression after the reported line}";  // Catch2's, of what throws elsewhere
 
+const std::string indent(failure_indent, ' ');
+
 /// A failed assertion in a few lines.
 std::string in_words(const Catch::AssertionStats& stats) {
   const Catch::AssertionResult& result = stats.assertionResult;
   std::string text;
   const auto add = [&](std::string line) {
     std::replace(line.begin(), line.end(), '\n', ' ');
-    text += "        " + line + '\n';
+    text += indent + line + '\n';
   };
   const std::string message(result.getMessage());
   if (result.hasExpression() && result.getExpression() != unknown) add(result.getExpressionInMacro());
   if (result.hasExpandedExpression() && result.getExpandedExpression() != result.getExpression())
     add("is " + result.getExpandedExpression());
-  if (result.hasMessage()) text += "        " + message + '\n';
+  if (result.hasMessage()) text += indent + message + '\n';
   for (const Catch::MessageInfo& info : stats.infoMessages)
-    if (info.message != message) text += "        " + info.message + '\n';
+    if (info.message != message) text += indent + info.message + '\n';
   return text;
 }
 

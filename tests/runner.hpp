@@ -12,6 +12,9 @@
 
 namespace raylab::test {
 
+/// Blanks before each line of a failure's text, which is printed below a test's name.
+inline constexpr std::size_t failure_indent = 8;
+
 /// How many test cases passed and failed.
 struct Totals {
   std::size_t passed = 0;

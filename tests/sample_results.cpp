@@ -110,6 +110,7 @@ SubmissionResult with_mistakes(const std::string& id) {
                     {"5.1 reflect: the length stays", "|reflect(d, n)| == 1\n  expected  1\n  got       1.16619"}};
   reflect.hidden_failed = {hidden_test()};
   reflect.hint = "Only the part of d along n changes its sign.\nHow often do you subtract it?";
+  reflect.mistake = "plus for minus";
   set(reflections.tasks[1], Verdict::wrong, "1 of 5 tests failed.");
   reflections.tasks[1].points = {0.5, 1};
   set(reflections.images[0], Verdict::wrong, "48213 pixels of 307200 are outside their range, 307 may be.");

@@ -1,3 +1,4 @@
+#include "core/calls/call_task.hpp"
 #include "core/cli/command.hpp"
 #include "core/cli/engines.hpp"
 #include "core/cli/grade_views.hpp"
@@ -66,9 +67,21 @@ Grading checked(GradingFile file) {
 
 fs::path usual_config() { return data_folder("course/grading.toml"); }
 
+/// Has the solution an answer to each hidden test?
+void require_answers(const Grading& grading) {
+  for (std::size_t k = 0; k < grading.hidden.size(); ++k) try {
+      const HiddenTest& test = grading.hidden[k];
+      TaskCaller(solution_table(), task_info(test.task)).result(test.call);
+    } catch (const std::exception& error) {
+      throw Failure("the grading file's hidden_test[" + std::to_string(k) + "].call: " + error.what(), wrong_usage);
+    }
+}
+
 Grading grading_of(const std::string& config) {
-  Grading usual = checked(read_grading(usual_config(), {}));
-  return config.empty() ? usual : checked(read_grading(config, usual));
+  Grading grading = checked(read_grading(usual_config(), {}));
+  if (!config.empty()) grading = checked(read_grading(config, grading));
+  require_answers(grading);
+  return grading;
 }
 
 /// All that decides a result.
@@ -93,19 +106,29 @@ void require_safe(const Sandbox& sandbox, bool unsafe) {
 
 // ---- One submission, in a process of its own ------------------------------------------------------------------------
 
+/// Lines as they are printed below a test's name, without the blanks before all of them.
+std::string without_indent(const std::string& text) {
+  std::istringstream lines(text);
+  std::string all;
+  for (std::string line; std::getline(lines, line);) all += line.substr(std::min(line.size(), test::failure_indent)) + '\n';
+  return all;
+}
+
 TestOutcome run_unit_tests(std::string_view task, const StageTable& table) {
   const auto no_images = [](const Scene&, const Settings&) -> std::unique_ptr<Engine> {
     throw std::logic_error("a task's tests need no image");
   };
   const test::Totals totals = test::run_tests(test::tests_of_submission(task), table, no_images, "/dev/null");
   TestOutcome outcome{static_cast<int>(totals.passed), {}};
-  for (std::size_t k = 0; k < totals.failures.size(); ++k) outcome.failed.push_back({totals.failures[k], totals.texts[k]});
+  for (std::size_t k = 0; k < totals.failures.size(); ++k)
+    outcome.failed.push_back({totals.failures[k], without_indent(totals.texts[k])});
   return outcome;
 }
 
-std::string hint_on(std::string_view task, const AskTask& ask, int level) {
+WrongTask look_at(std::string_view task, const AskTask& ask, int level) {
   const std::vector<test::Hint> hints = test::find_hints(solution_table(), ask, test::find_probes(solution_table(), {task}));
-  return hints.empty() ? "" : test::hints_text(hints, level);
+  if (hints.empty()) return {};
+  return {level > 0 ? test::hints_text(hints, level) : "", hints.front().mistake};
 }
 
 double processor_seconds() {
@@ -126,7 +149,7 @@ void grade_one(const Grade& wanted) {
   const TakenFiles files = take_files(wanted.folders.front());
   const Sandbox sandbox;
   require_safe(sandbox, wanted.unsafe);
-  const GradingTools tools{sandbox, solution_table(), run_unit_tests, hint_on};
+  const GradingTools tools{sandbox, solution_table(), run_unit_tests, look_at};
   const std::vector<View> views = grading_views(grading, wanted.seed, out.path() / "views");
   SubmissionResult result = grade_submission(files, grading, views, tools, out.submission(wanted.id));
   result.id = wanted.id;

@@ -158,8 +158,10 @@ class TaskJudge {
     else
       result.verdict = Verdict::right;
     if (result.verdict == Verdict::right) result.points.got = result.points.most;
-    if (result.verdict == Verdict::wrong && grading_.hint > 0)
-      result.hint = tamed(tools_.hint(task.label, asker(), grading_.hint));
+    if (result.verdict != Verdict::wrong) return;
+    const WrongTask wrong = tools_.look_at(task.label, asker(), grading_.hint);
+    result.hint = tamed(wrong.hint);
+    result.mistake = tamed(wrong.mistake);
   }
 
   /// The student's tasks, and the solution's where there is none.

@@ -22,12 +22,18 @@ struct TestOutcome {
   std::vector<FailedTest> failed;
 };
 
+/// What is known of a task that answers wrongly.
+struct WrongTask {
+  std::string hint;     ///< up to the level asked for
+  std::string mistake;  ///< the known mistake that answers alike; empty if there is none
+};
+
 /// What grading takes from the program around it.
 struct GradingTools {
   const Sandbox& sandbox;
   StageTable solution;
   std::function<TestOutcome(std::string_view task, const StageTable&)> run_tests;
-  std::function<std::string(std::string_view task, const AskTask&, int level)> hint;
+  std::function<WrongTask(std::string_view task, const AskTask&, int level)> look_at;
 };
 
 /// Grades what was taken of a submission, stage by stage, each over the solution's other stages. Images are written to

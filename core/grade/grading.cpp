@@ -1,6 +1,5 @@
 #include "core/grade/grading.hpp"
 
-#include "core/calls/call_task.hpp"
 #include "core/render/stage_table.hpp"
 #include "core/scene/read_file.hpp"
 #include "core/scene/read_section.hpp"

@@ -36,7 +36,7 @@ void count(std::vector<TextCount>& texts, const std::string& label, const std::s
 
 void count(ClassSummary& summary, const TaskResult& task) {
   count(summary.tasks, task);
-  count(summary.hints, task.label, task.hint.substr(0, task.hint.find('\n')));
+  count(summary.mistakes, task.label, task.mistake);
   for (const FailedTest& test : task.failed) count(summary.failed_tests, task.label, test.name);
   for (const FailedTest& test : task.hidden_failed) count(summary.failed_tests, task.label, test.name);
 }
@@ -56,7 +56,7 @@ void sort(ClassSummary& summary) {
   std::sort(summary.stages.begin(), summary.stages.end(),
             [](const StageColumn& a, const StageColumn& b) { return a.number < b.number; });
   sort_most_first(summary.tasks, &TaskSummary::missed);
-  sort_most_first(summary.hints, &TextCount::count);
+  sort_most_first(summary.mistakes, &TextCount::count);
   sort_most_first(summary.failed_tests, &TextCount::count);
   for (TaskSummary& task : summary.tasks)
     std::sort(task.verdicts.begin(), task.verdicts.end(),

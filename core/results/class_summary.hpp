@@ -29,7 +29,7 @@ struct TaskSummary {
 };
 RAYLAB_FIELDS(TaskSummary, RAYLAB_FIELD(label) RAYLAB_FIELD(name) RAYLAB_FIELD(missed) RAYLAB_FIELD(verdicts))
 
-/// A text that several submissions got: a hint's first line, a failed test's name.
+/// A text that several submissions got: the name of a known mistake or of a failed test.
 struct TextCount {
   std::string label;  ///< of the task
   std::string text;
@@ -67,13 +67,13 @@ struct ClassSummary {
   std::vector<Guarantee> guarantees;
   std::vector<Verdict> verdicts;  ///< all there are, the worst last
   std::vector<StageColumn> stages;
-  std::vector<TaskSummary> tasks;  ///< those missed most first
-  std::vector<TextCount> hints;    ///< the most frequent first, as the failed tests
+  std::vector<TaskSummary> tasks;   ///< those missed most first
+  std::vector<TextCount> mistakes;  ///< the most frequent first, as the failed tests
   std::vector<TextCount> failed_tests;
   std::vector<SubmissionRow> submissions;
 };
 RAYLAB_FIELDS(ClassSummary, RAYLAB_FIELD(raylab) RAYLAB_FIELD(seed) RAYLAB_FIELD(unsafe) RAYLAB_FIELD(guarantees)
-                                RAYLAB_FIELD(verdicts) RAYLAB_FIELD(stages) RAYLAB_FIELD(tasks) RAYLAB_FIELD(hints)
+                                RAYLAB_FIELD(verdicts) RAYLAB_FIELD(stages) RAYLAB_FIELD(tasks) RAYLAB_FIELD(mistakes)
                                     RAYLAB_FIELD(failed_tests) RAYLAB_FIELD(submissions))
 
 ClassSummary summary_of(const ClassResults& results, const std::vector<RosterEntry>& roster, const Seconds& seconds);

@@ -64,11 +64,13 @@ struct TaskResult {
   std::vector<FailedTest> failed;  ///< of the published tests
   int hidden_passed = 0;           ///< of the course's own tests
   std::vector<FailedTest> hidden_failed;
-  std::string hint;  ///< as far as the course allows; some lines
+  std::string hint;     ///< as far as the course allows; some lines
+  std::string mistake;  ///< the known mistake that answers alike, if there is one: for the instructor
 };
-RAYLAB_FIELDS(TaskResult, RAYLAB_FIELD(label) RAYLAB_FIELD(name) RAYLAB_FIELD(verdict) RAYLAB_FIELD(points)
-                              RAYLAB_FIELD(reason) RAYLAB_FIELD(call) RAYLAB_FIELD(tests_passed) RAYLAB_FIELD(failed)
-                                  RAYLAB_FIELD(hidden_passed) RAYLAB_FIELD(hidden_failed) RAYLAB_FIELD(hint))
+RAYLAB_FIELDS(TaskResult,
+              RAYLAB_FIELD(label) RAYLAB_FIELD(name) RAYLAB_FIELD(verdict) RAYLAB_FIELD(points) RAYLAB_FIELD(reason)
+                  RAYLAB_FIELD(call) RAYLAB_FIELD(tests_passed) RAYLAB_FIELD(failed) RAYLAB_FIELD(hidden_passed)
+                      RAYLAB_FIELD(hidden_failed) RAYLAB_FIELD(hint) RAYLAB_FIELD(mistake))
 
 /// An image of a stage, by the student's functions in this stage and the solution's in the others.
 struct ImageResult {

@@ -12,6 +12,7 @@ void hide(TaskResult& task) {
   task.points = counted(task);
   task.hidden_passed = 0;
   task.hidden_failed.clear();
+  task.mistake.clear();
 }
 
 void hide(StageResult& stage) {
