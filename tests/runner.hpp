@@ -24,11 +24,14 @@ struct Totals {
 Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report = {});
 
 /// The same for a submission: as strict as a right answer in float arithmetic and the accepted variants (docs/errata.md)
-/// allow. `make` makes the images: a table whose functions run in another process would take an hour over them. Without a
-/// `report` it prints a line a test and, of a failed one, its first failure.
+/// allow. `make` makes the images: a table whose functions run in another process would take an hour over them.
 using MakeEngine = std::function<std::unique_ptr<Engine>(const Scene&, const Settings&)>;
 Totals run_tests(const std::string& selection, const StageTable& table, const MakeEngine& make,
-                 const std::filesystem::path& report = {});
+                 const std::filesystem::path& report);
+
+/// The same, for the one who has submitted it: prints a line a test and, of a failed one, its first failure, with the call
+/// that it is about and how to repeat that. `with` says whose tasks these are: "--with my-lab".
+Totals tell_tests(const std::string& selection, const StageTable& table, const MakeEngine& make, const std::string& with);
 
 /// The table that the running tests judge.
 const StageTable& table();

@@ -113,6 +113,19 @@ fails 6 exit_and_mix 6.1 6.3
 edited unasked 05_reflections.cpp 's/^  return d - 2/  throw 1; return d - 2/; s/{hit.point, reflect(hit.direction, hit.normal)/{hit.point, hit.direction - 2 * dot(hit.direction, hit.normal) * hit.normal/'
 fails 5 unasked 5.1
 
+# what fails says what was asked, expected and answered, and how to ask it again
+run 1 test 5.1 --with wrong5
+prints '        asked     d = (0.6, -0.8, 0)'
+prints '                  n = (0, 1, 0)'
+prints '        expected  (0.6, 0.8, 0), give or take 3.8e-06'
+prints '        got       (0, -1.6, 0)'
+prints "        again     raylab call 5.1 '{\"d\":[0.6,-0.8,0.0],\"n\":[0.0,1.0,0.0]}' --with wrong5"
+prints '        checked   length(r)'
+edited last_of_equals 02_intersections.cpp 's/\*candidates\[k\].t < /*candidates[k].t <= /'
+run 1 test 2.4 --with last_of_equals
+prints 'expected  1'
+prints 'got       3'
+
 # what does not compile says so by the student's own file and line, and only where it matters
 edited unfinished 03_blinn_phong.cpp 's/return std::tanh(shininess/return std::tanh(shine/'
 run 1 render "$source/scenes/scene1.toml" --with unfinished
@@ -200,8 +213,11 @@ run 1 test 2 --with far_root --hint 1
 prints '1 observed: sphere_hit answers'
 check 'no more than asked for' bash -c '! grep -q "2 look at" stdout'
 run 1 test 2 --with far_root --hint 3
-prints '2 look at: stages/02_intersections/README.md'
+page=$(sed -n 's/^  2 look at: \(.*README.md\), 2.2 sphere_hit.*/\1/p' stdout)
+check "the page that a hint names is there: $page" test -e "$page"
 prints '3 mistake: the far root'
+(cd 'my lab' && "$program" test 2.2 --with ../far_root --hint 2) >stdout
+prints '2 look at: handbook/stages/02_intersections/README.md, 2.2 sphere_hit'
 RAYLAB_HINTS=1 run 1 test 2 --with far_root --hint 3
 check 'no more than allowed' bash -c '! grep -q "3 mistake" stdout'
 says 'this course gives hints up to level 1'
