@@ -51,6 +51,8 @@ run 2 test 5.1 --with right:4
 says '--with names nothing of 5.1'
 run 0 diff scene1 --stage 2 --with right --out diff
 check 'the page of the difference' test -s diff/index.html
+(cd right && "$program" diff scene1 --stage 2 --with .:1) >stdout
+prints 'right:1'
 run 0 sheet "$source/scenes/scene1.toml" "${small[@]}" --with right -o sheet.png
 run 0 call 5.1 '{"d": [0.6, -0.8, 0], "n": [0, 1, 0]}' --with right
 prints '"result":[0.6,0.8,0.0]'
@@ -186,6 +188,17 @@ wait $!
 check "exit code $?, wanted 130: Ctrl-C in an endless loop" test $? = 130
 check 'no image' test ! -e late.png
 no_worker_left
+"$program" test 5 --with forever >stdout 2>stderr &
+sleep 1.5
+kill -INT $!
+wait $!
+check "exit code $?, wanted 130: Ctrl-C while tests run" test $? = 130
+no_worker_left
+
+# what is no number says where
+edited nan 03_blinn_phong.cpp 's/(diffuse + specular)/std::sqrt(-1 - diffuse - specular)/'
+run 0 render "$source/scenes/scene1.toml" --stage 3 "${small[@]}" -o x.png --with nan
+says 'pixels are not finite numbers, the first at '
 
 # explain
 run 0 explain "$source/scenes/scene3.toml" --stage 5 "${small[@]}" --pixel 20,15 --svg rays.svg
@@ -194,11 +207,13 @@ prints 'reflected ray, bounce 1'
 check 'a picture' grep -q '</svg>' rays.svg
 run 0 explain "$source/scenes/scene4.toml" --stage 7 "${small[@]}" --pixel 20,15 --json
 check 'JSON' bash -c "python3 -c 'import json; assert len(json.load(open(\"stdout\"))[\"samples\"]) == 4' || ! command -v python3 >/dev/null"
-run 0 explain "$source/scenes/scene3.toml" --stage 5 --with wrong5
+run 1 explain "$source/scenes/scene3.toml" --stage 5 "${small[@]}" --pixel 20,15 --with wrong5 --svg rays.svg
+run 0 explain "$source/scenes/scene3.toml" --stage 5 "${small[@]}" --pixel 20,15 --with right
+run 1 explain "$source/scenes/scene3.toml" --stage 5 --with wrong5
 prints 'this call is the first to be answered differently'
 prints 'task      5.2 mirror_bounce'
 prints 'handout   section 5'
-run 0 explain "$source/scenes/scene3.toml" --stage 5 --with null
+run 1 explain "$source/scenes/scene3.toml" --stage 5 --with null
 prints 'there is no image: task 5.'
 run 2 explain "$source/scenes/scene3.toml" --pixel 640,0
 says 'from 0,0 at the top left to 639,479'

@@ -10,6 +10,8 @@
 #endif
 
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -91,8 +93,12 @@ std::vector<std::string_view> failed_tasks(const std::vector<std::string_view>& 
   return failed.empty() ? labels : failed;
 }
 
+/// Catch2 has signal handlers of its own while a test runs. They end the run, and then hand the signal on to this one.
+extern "C" void end_interrupted(int) { std::_Exit(interrupted); }
+
 test::Totals run(const Test& test) {
   const std::string tag = tag_of(test.selection);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, end_interrupted);
   if (test.submissions.with.empty() && test.hint > 0) throw Failure("--hint goes with --with", wrong_usage);
   if (test.submissions.with.empty()) return test::run_tests(tag, solution_table());
   const std::vector<Chosen> chosen = chosen_submissions(test.submissions);
