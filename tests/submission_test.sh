@@ -205,9 +205,14 @@ run 0 explain "$source/scenes/scene3.toml" --stage 5 "${small[@]}" --pixel 20,15
 prints 'camera ray: color'
 prints 'reflected ray, bounce 1'
 check 'a picture' grep -q '</svg>' rays.svg
+for name in 'camera ray' 'reflected ray' 'point_light\[0\]' 'to point_light\[0\]' 'sphere\[[0-9]*\]'; do
+  check "the picture names $name" grep -q ">$name</text>" rays.svg
+done
+check 'the picture names what it shows only' bash -c '! grep -q "refracted ray" rays.svg'
 run 0 explain "$source/scenes/scene4.toml" --stage 7 "${small[@]}" --pixel 20,15 --json
 check 'JSON' bash -c "python3 -c 'import json; assert len(json.load(open(\"stdout\"))[\"samples\"]) == 4' || ! command -v python3 >/dev/null"
 run 1 explain "$source/scenes/scene3.toml" --stage 5 "${small[@]}" --pixel 20,15 --with wrong5 --svg rays.svg
+check 'the picture has the wrong ray' grep -q '>by 5.2 of --with wrong5</text>' rays.svg
 run 0 explain "$source/scenes/scene3.toml" --stage 5 "${small[@]}" --pixel 20,15 --with right
 run 1 explain "$source/scenes/scene3.toml" --stage 5 --with wrong5
 prints 'this call is the first to be answered differently'
