@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/math/vec3.hpp"
+#include "tests/runner.hpp"
 
 #include <iomanip>
 #include <sstream>
@@ -20,7 +21,7 @@ namespace raylab::test {
 
 inline std::string text(double value) {
   std::ostringstream stream;
-  stream << std::setprecision(17) << value;
+  stream << std::setprecision(judging_submission() ? 9 : 17) << (value == 0 ? 0.0 : value);
   return stream.str();
 }
 inline std::string text(const Vec3& v) { return "(" + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ")"; }

@@ -342,7 +342,7 @@ TEST_CASE("driver: a choice of nearest hit that is none is named", "[driver]") {
   RayCounts counts;
   Color pixel(0);
   CHECK_THROWS_WITH(make_stages(scene, {2, {1, 1}, 5, {}}, wrong)->trace_rows(0, {&pixel, 1}, counts, never),
-                    ContainsSubstring("task 2.4 nearest_hit chose number 0 of 1"));
+                    ContainsSubstring("task 2.4 nearest_hit chose place 0 (from 0) of a list of 1"));
 }
 
 TEST_CASE("driver: pixels that are no numbers are counted", "[driver]") {

@@ -86,9 +86,11 @@ Totals check_unit_tests(const Mistake& mistake, const StageTable& wrong, const J
   return own;
 }
 
-/// Right Schlick of the cosine in the glass is what a right 6.3 gets from a 6.2 that takes the cosine in air for it.
-bool cancel(const Mistake& first, const Mistake& second) {
-  return first.name == "the inner angle" && second.name == "from inside, the cosine in the glass";
+/// Is the second mistake, which is put beside right tasks, what a right task answers that asks the first? Right Schlick of
+/// the cosine in the glass, say, is what a right 6.3 gets from a 6.2 that takes the cosine in air for it.
+bool is_right_on_top_of(const Mistake& first, const Mistake& second) {
+  return (first.name == "the inner angle" && second.name == "from inside, the cosine in the glass") ||
+         (first.name == "1 - R for R" && second.name == "weights exchanged");
 }
 
 /// Of a submission, on top of each known mistake in an earlier task of its stage, which it may ask: the tests of its own
@@ -97,7 +99,8 @@ void check_second_mistake(const Mistake& mistake, const StageTable& right, State
   if (mistake.shows == Shows::nowhere) return;
   const TemporaryFolder folder;
   for (const Mistake& first : known_mistakes()) {
-    if (stage_of(first.task) != stage_of(mistake.task) || first.task >= mistake.task || cancel(first, mistake)) continue;
+    if (stage_of(first.task) != stage_of(mistake.task) || first.task >= mistake.task || is_right_on_top_of(first, mistake))
+      continue;
     const StageTable both = with(mistake, with(first, right));
     const Totals own = of_submissions.run(of_submissions.tests(mistake.task), both, folder / "report");
     statements.check(own.failed > 0, full_name(mistake) + ": hidden by " + full_name(first));

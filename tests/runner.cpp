@@ -1,15 +1,19 @@
 #define CATCH_CONFIG_RUNNER
 #include "tests/runner.hpp"
 
+#include "core/explain/explanation.hpp"
+#include "core/explain/recording.hpp"
 #include "core/render/stages_engine.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace raylab::test {
@@ -22,7 +26,8 @@ StageTable table_under_test;
 bool submission_under_test = false;
 MakeEngine make_under_test;
 Totals totals;
-bool told = false;  ///< is each test told of, as it ends?
+std::optional<std::string> told;  ///< whose tasks these are, if each test is told of as it ends
+std::ostream* listener = nullptr;  ///< where to
 
 #if __has_include(<catch2/catch_all.hpp>)
 using ListenerBase = Catch::EventListenerBase;
@@ -32,25 +37,80 @@ using ListenerBase = Catch::TestEventListenerBase;
 using AssertionEnded = bool;
 #endif
 
-constexpr std::string_view unknown = "{Unknown expression after the reported line}";  // Catch2's, of what throws elsewhere
-
 const std::string indent(failure_indent, ' ');
 
-/// A failed assertion in a few lines.
-std::string in_words(const Catch::AssertionStats& stats) {
+/// Lines below a label, which the first one stands beside.
+std::string labeled(const std::string& label, const std::vector<std::string>& lines) {
+  constexpr std::size_t width = 10;
+  std::string text, before = label + std::string(width - std::min(width, label.size()), ' ');
+  for (const std::string& line : lines) {
+    text += indent + before + line + '\n';
+    before = std::string(width, ' ');
+  }
+  return text;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+/// Both sides of what was compared: "0.5" and "1, give or take 1e-6", or "< 1".
+struct Sides {
+  std::string got, expected;
+};
+
+/// Of "left == right", which Catch2 breaks around the operator if it is long; of something alone, which should hold, that.
+Sides sides_of(std::string expression) {
+  std::replace(expression.begin(), expression.end(), '\n', ' ');
+  for (const std::string comparison : {" == ", " >= ", " <= ", " < ", " > ", " != "})
+    if (const std::size_t place = expression.find(comparison); place != std::string::npos)
+      return {expression.substr(0, place),
+              (comparison == " == " ? "" : comparison.substr(1)) + expression.substr(place + comparison.size())};
+  if (expression.starts_with("!(")) return {expression.substr(2, expression.size() - 3), "false"};
+  if (expression.starts_with('!')) return {expression.substr(1), "false"};
+  return {expression, "true"};
+}
+
+/// Was the answer of a task compared, and not something that was made of it?
+bool is_answer(const Catch::AssertionResult& result) {
+  const std::string left = sides_of(result.getExpression()).got;
+  return left.starts_with("table().") && left.ends_with(')');
+}
+
+std::string comparison_in_words(const Catch::AssertionResult& result) {
+  const Sides sides = sides_of(result.getExpandedExpression());
+  return (is_answer(result) ? "" : labeled("checked", {sides_of(result.getExpression()).got})) +
+         labeled("expected", {sides.expected}) + labeled("got", {sides.got});
+}
+
+/// The last call of the task that the test is about.
+std::optional<RecordedCall> last_call(std::string_view test) {
+  const std::vector<Event> events = stop_recording();
+  const auto last = std::find_if(events.rbegin(), events.rend(), [&](const Event& event) {
+    const auto* const call = std::get_if<RecordedCall>(&event);
+    return call && test.starts_with(call->task->label);
+  });
+  return last == events.rend() ? std::nullopt : std::optional(std::get<RecordedCall>(*last));
+}
+
+/// A failed assertion in a few lines: what was asked, expected and answered, or what Catch2 has to say.
+std::string in_words(const Catch::AssertionStats& stats, std::string_view test) {
   const Catch::AssertionResult& result = stats.assertionResult;
-  std::string text;
-  const auto add = [&](std::string line) {
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    text += indent + line + '\n';
-  };
-  const std::string message(result.getMessage());
-  if (result.hasExpression() && result.getExpression() != unknown) add(result.getExpressionInMacro());
-  if (result.hasExpandedExpression() && result.getExpandedExpression() != result.getExpression())
-    add("is " + result.getExpandedExpression());
-  if (result.hasMessage()) text += indent + message + '\n';
+  std::string text, said(result.getMessage());
   for (const Catch::MessageInfo& info : stats.infoMessages)
-    if (info.message != message) text += indent + info.message + '\n';
+    if (info.message != said) said += '\n' + info.message;
+  const std::optional<RecordedCall> call = last_call(test);
+  if (call) text += labeled("asked", value_lines(call->arguments));
+  if (call && !call->result.empty() && !(said.empty() && is_answer(result)))
+    text += labeled("answered", value_lines(call->result));
+  if (said.empty()) text += comparison_in_words(result);
+  for (const std::string& line : lines_of(said)) text += indent + line + '\n';
+  if (call && said.find("raylab call") == std::string::npos)
+    text += labeled("again", {"raylab call " + std::string(call->task->label) + " '" + call->arguments + "' " + *told});
   return text;
 }
 
@@ -62,11 +122,12 @@ struct TotalsListener : ListenerBase {
     running = test.name;
     first_failure.clear();
     more_failures = 0;
+    if (told) stop_recording();  // the calls of the test before
   }
   AssertionEnded assertionEnded(const Catch::AssertionStats& stats) override {
-    if (!stats.assertionResult.isOk()) {
+    if (told && !stats.assertionResult.isOk()) {
       if (first_failure.empty())
-        first_failure = in_words(stats);
+        first_failure = in_words(stats, running);
       else
         ++more_failures;
     }
@@ -78,9 +139,9 @@ struct TotalsListener : ListenerBase {
       totals.texts.push_back(first_failure);
     }
     if (told) {
-      std::cout << (test.totals.testCases.failed > 0 ? "FAILED  " : "passed  ") << running << '\n' << first_failure;
-      if (more_failures > 0) std::cout << "        and " << more_failures << " more\n";
-      std::cout << std::flush;
+      *listener << (test.totals.testCases.failed > 0 ? "FAILED  " : "passed  ") << running << '\n' << first_failure;
+      if (more_failures > 0) *listener << indent << "and " << more_failures << " more\n";
+      *listener << std::flush;
     }
     ListenerBase::testCaseEnded(test);
   }
@@ -119,7 +180,7 @@ Totals run_tests(const std::string& selection, const StageTable& table, const st
   make_under_test = [](const Scene& scene, const Settings& settings) {
     return make_stages(scene, settings, table_under_test);
   };
-  told = false;
+  told.reset();
   return run(selection, report);
 }
 
@@ -128,8 +189,18 @@ Totals run_tests(const std::string& selection, const StageTable& table, const Ma
   table_under_test = table;
   submission_under_test = true;
   make_under_test = make;
-  told = report.empty();
-  return run(selection, told ? "/dev/null" : report);
+  told.reset();
+  return run(selection, report);
+}
+
+Totals tell_tests(const std::string& selection, const StageTable& table, const MakeEngine& make, const std::string& with,
+                  std::ostream& out) {
+  table_under_test = start_recording(table);
+  submission_under_test = true;
+  make_under_test = make;
+  told = with;
+  listener = &out;
+  return run(selection, "/dev/null");
 }
 
 const StageTable& table() { return table_under_test; }

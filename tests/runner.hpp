@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ struct Totals {
   std::size_t passed = 0;
   std::size_t failed = 0;
   std::vector<std::string> failures = {};  ///< the names of those that failed, in their order
-  std::vector<std::string> texts = {};     ///< the first failure of each of them, in some lines
+  std::vector<std::string> texts = {};     ///< of each of them its first failure, in some lines: of tell_tests() alone
 };
 
 /// Runs the tests that a Catch2 selection like "[stage5]" or "[5.1]" names, all for an empty one, on `table`. The report
@@ -28,11 +29,15 @@ struct Totals {
 Totals run_tests(const std::string& selection, const StageTable& table, const std::filesystem::path& report = {});
 
 /// The same for a submission: as strict as a right answer in float arithmetic and the accepted variants (docs/errata.md)
-/// allow. `make` makes the images: a table whose functions run in another process would take an hour over them. Without a
-/// `report` it prints a line a test and, of a failed one, its first failure.
+/// allow. `make` makes the images: a table whose functions run in another process would take an hour over them.
 using MakeEngine = std::function<std::unique_ptr<Engine>(const Scene&, const Settings&)>;
 Totals run_tests(const std::string& selection, const StageTable& table, const MakeEngine& make,
-                 const std::filesystem::path& report = {});
+                 const std::filesystem::path& report);
+
+/// The same, for the one who has submitted it: `out` gets a line a test and, of a failed one, its first failure, with the
+/// call that it is about and how to repeat that. `with` says whose tasks these are: "--with my-lab".
+Totals tell_tests(const std::string& selection, const StageTable& table, const MakeEngine& make, const std::string& with,
+                  std::ostream& out);
 
 /// The table that the running tests judge.
 const StageTable& table();

@@ -51,6 +51,8 @@ run 2 test 5.1 --with right:4
 says '--with names nothing of 5.1'
 run 0 diff scene1 --stage 2 --with right --out diff
 check 'the page of the difference' test -s diff/index.html
+(cd right && "$program" diff scene1 --stage 2 --with .:1) >stdout
+prints 'right:1'
 run 0 sheet "$source/scenes/scene1.toml" "${small[@]}" --with right -o sheet.png
 run 0 call 5.1 '{"d": [0.6, -0.8, 0], "n": [0, 1, 0]}' --with right
 prints '"result":[0.6,0.8,0.0]'
@@ -113,6 +115,19 @@ fails 6 exit_and_mix 6.1 6.3
 edited unasked 05_reflections.cpp 's/^  return d - 2/  throw 1; return d - 2/; s/{hit.point, reflect(hit.direction, hit.normal)/{hit.point, hit.direction - 2 * dot(hit.direction, hit.normal) * hit.normal/'
 fails 5 unasked 5.1
 
+# what fails says what was asked, expected and answered, and how to ask it again
+run 1 test 5.1 --with wrong5
+prints '        asked     d = (0.6, -0.8, 0)'
+prints '                  n = (0, 1, 0)'
+prints '        expected  (0.6, 0.8, 0), give or take 3.8e-06'
+prints '        got       (0, -1.6, 0)'
+prints "        again     raylab call 5.1 '{\"d\":[0.6,-0.8,0.0],\"n\":[0.0,1.0,0.0]}' --with wrong5"
+prints '        checked   length(r)'
+edited last_of_equals 02_intersections.cpp 's/\*candidates\[k\].t < /*candidates[k].t <= /'
+run 1 test 2.4 --with last_of_equals
+prints 'expected  1'
+prints 'got       3'
+
 # what does not compile says so by the student's own file and line, and only where it matters
 edited unfinished 03_blinn_phong.cpp 's/return std::tanh(shininess/return std::tanh(shine/'
 run 1 render "$source/scenes/scene1.toml" --with unfinished
@@ -173,19 +188,37 @@ wait $!
 check "exit code $?, wanted 130: Ctrl-C in an endless loop" test $? = 130
 check 'no image' test ! -e late.png
 no_worker_left
+"$program" test 5 --with forever >stdout 2>stderr &
+sleep 1.5
+kill -INT $!
+wait $!
+check "exit code $?, wanted 130: Ctrl-C while tests run" test $? = 130
+no_worker_left
+
+# what is no number says where
+edited nan 03_blinn_phong.cpp 's/(diffuse + specular)/std::sqrt(-1 - diffuse - specular)/'
+run 0 render "$source/scenes/scene1.toml" --stage 3 "${small[@]}" -o x.png --with nan
+says 'pixels are not finite numbers, the first at '
 
 # explain
 run 0 explain "$source/scenes/scene3.toml" --stage 5 "${small[@]}" --pixel 20,15 --svg rays.svg
 prints 'camera ray: color'
 prints 'reflected ray, bounce 1'
 check 'a picture' grep -q '</svg>' rays.svg
+for name in 'camera ray' 'reflected ray' 'point_light\[0\]' 'to point_light\[0\]' 'sphere\[[0-9]*\]'; do
+  check "the picture names $name" grep -q ">$name</text>" rays.svg
+done
+check 'the picture names what it shows only' bash -c '! grep -q "refracted ray" rays.svg'
 run 0 explain "$source/scenes/scene4.toml" --stage 7 "${small[@]}" --pixel 20,15 --json
 check 'JSON' bash -c "python3 -c 'import json; assert len(json.load(open(\"stdout\"))[\"samples\"]) == 4' || ! command -v python3 >/dev/null"
-run 0 explain "$source/scenes/scene3.toml" --stage 5 --with wrong5
+run 1 explain "$source/scenes/scene3.toml" --stage 5 "${small[@]}" --pixel 20,15 --with wrong5 --svg rays.svg
+check 'the picture has the wrong ray' grep -q '>by 5.2 of --with wrong5</text>' rays.svg
+run 0 explain "$source/scenes/scene3.toml" --stage 5 "${small[@]}" --pixel 20,15 --with right
+run 1 explain "$source/scenes/scene3.toml" --stage 5 --with wrong5
 prints 'this call is the first to be answered differently'
 prints 'task      5.2 mirror_bounce'
 prints 'handout   section 5'
-run 0 explain "$source/scenes/scene3.toml" --stage 5 --with null
+run 1 explain "$source/scenes/scene3.toml" --stage 5 --with null
 prints 'there is no image: task 5.'
 run 2 explain "$source/scenes/scene3.toml" --pixel 640,0
 says 'from 0,0 at the top left to 639,479'
@@ -200,8 +233,11 @@ run 1 test 2 --with far_root --hint 1
 prints '1 observed: sphere_hit answers'
 check 'no more than asked for' bash -c '! grep -q "2 look at" stdout'
 run 1 test 2 --with far_root --hint 3
-prints '2 look at: stages/02_intersections/README.md'
+page=$(sed -n 's/^  2 look at: \(.*README.md\), 2.2 sphere_hit.*/\1/p' stdout)
+check "the page that a hint names is there: $page" test -e "$page"
 prints '3 mistake: the far root'
+(cd 'my lab' && "$program" test 2.2 --with ../far_root --hint 2) >stdout
+prints '2 look at: handbook/stages/02_intersections/README.md, 2.2 sphere_hit'
 RAYLAB_HINTS=1 run 1 test 2 --with far_root --hint 3
 check 'no more than allowed' bash -c '! grep -q "3 mistake" stdout'
 says 'this course gives hints up to level 1'

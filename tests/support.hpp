@@ -104,6 +104,12 @@ inline bool operator==(const Vec3& actual, const Start& start) {
   return start.shift > 0 && length(off) <= start.shift + start.tolerance && dot(off, start.direction) >= -start.tolerance;
 }
 
+inline std::string give_or_take(double tolerance) {
+  std::ostringstream stream;
+  stream << std::setprecision(2) << tolerance;
+  return tolerance > 0 ? ", give or take " + stream.str() : "";
+}
+
 /// A miss, to compare with: CHECK(table().plane_hit(ray, plane) == miss).
 inline constexpr std::nullopt_t miss = std::nullopt;
 
@@ -114,6 +120,14 @@ struct Catch::StringMaker<std::optional<double>> {
   static std::string convert(const std::optional<double>& t) { return t ? raylab::test::text(*t) : "miss"; }
 };
 template <>
+struct Catch::StringMaker<std::optional<std::size_t>> {
+  static std::string convert(const std::optional<std::size_t>& place) { return place ? std::to_string(*place) : "nothing"; }
+};
+template <>
+struct Catch::StringMaker<raylab::Side> {
+  static std::string convert(raylab::Side side) { return side == raylab::Side::inwards ? "inwards" : "outwards"; }
+};
+template <>
 struct Catch::StringMaker<std::nullopt_t> {
   static std::string convert(std::nullopt_t) { return "miss"; }
 };
@@ -121,12 +135,12 @@ template <>
 struct Catch::StringMaker<raylab::test::Start> {
   static std::string convert(const raylab::test::Start& s) {
     const std::string shifted = s.shift > 0 ? ", or up to " + raylab::test::text(s.shift) + " off the surface" : "";
-    return raylab::test::text(s.point) + " within " + raylab::test::text(s.tolerance) + shifted;
+    return raylab::test::text(s.point) + raylab::test::give_or_take(s.tolerance) + shifted;
   }
 };
 template <class T>
 struct Catch::StringMaker<raylab::test::Within<T>> {
   static std::string convert(const raylab::test::Within<T>& w) {
-    return raylab::test::text(w.expected) + " within " + raylab::test::text(w.tolerance);
+    return raylab::test::text(w.expected) + raylab::test::give_or_take(w.tolerance);
   }
 };

@@ -2,6 +2,7 @@
 
 #include "core/cli/command.hpp"
 #include "core/cli/engines.hpp"
+#include "core/explain/handbook.hpp"
 #include "core/scene/diagnostic.hpp"
 #include "core/scene/nearest_name.hpp"
 #include "core/submission/remote_table.hpp"
@@ -48,8 +49,8 @@ void list_task(const TaskInfo& task) {
 void list_tasks() {
   std::cout << "Each task with its arguments, its result and an example. A field marked ? may be left out.\n";
   for (const StageInfo& stage : stage_list()) {
-    std::cout << "\nStage " << stage.number << ", " << stage.name
-              << ": what each argument means, in which unit, is in stages/" << stage.folder << "/stage.hpp\n";
+    std::cout << "\nStage " << stage.number << ", " << stage.name << ": what each argument means, in which unit, is in "
+              << in_handbook(std::string(stage.folder) + "/stage.hpp") << '\n';
     for (const TaskInfo& task : task_list())
       if (stage_of(task.label) == stage.number) list_task(task);
   }

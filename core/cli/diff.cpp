@@ -152,6 +152,17 @@ void write_folder(const fs::path& folder, const DiffTitle& title, const Image& i
   }
 }
 
+/// What submissions are called, "my-lab:4": by their folders' own names, though they may be given as ".".
+std::string title_of(const std::vector<std::string>& submissions) {
+  std::string title;
+  for (const std::string& with : submissions) {
+    const std::string folder = parse_chosen(with).folder.string();
+    const fs::path whole = fs::absolute(fs::path(folder) / "").lexically_normal();
+    title += (title.empty() ? "" : " ") + whole.parent_path().filename().string() + with.substr(folder.size());
+  }
+  return title;
+}
+
 /// Returns whether they are the same.
 bool run(Diff diff) {
   const bool with = !diff.submissions.with.empty();
@@ -159,7 +170,6 @@ bool run(Diff diff) {
     if (!diff.reference.empty() || !diff.scene.empty())
       throw Failure("with --with, name a scene and nothing else: raylab diff scene2 --stage 4 --with DIR", cannot_compare);
     diff.scene = std::exchange(diff.image, "");
-    for (const std::string& text : diff.submissions.with) diff.image += (diff.image.empty() ? "" : " ") + text;
   }
   if (diff.reference.empty() == diff.scene.empty())
     throw Failure("name a reference image, or a scene with --scene: one of both", cannot_compare);
@@ -178,7 +188,7 @@ bool run(Diff diff) {
     if (const auto finding = other_stage(image, reference, chosen.stage))
       comparison.findings.insert(comparison.findings.begin(), *finding);
 
-  const DiffTitle title{diff.image, chosen.name};
+  const DiffTitle title{with ? title_of(diff.submissions.with) : diff.image, chosen.name};
   std::cout << (diff.json ? diff_json(title, comparison) : diff_text(title, comparison));
   if (!diff.out.empty())
     write_folder(diff.out, title, image.image, reference, comparison, diff.json ? std::cerr : std::cout);

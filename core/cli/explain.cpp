@@ -86,7 +86,8 @@ OtherView view_of(Submission& submission, const Scene& scene, const Settings& se
   return view;
 }
 
-void explain_pixel(const Explain& explain, const Scene& scene, Submission* submission) {
+/// Returns whether the submission, if there is one, differs.
+bool explain_pixel(const Explain& explain, const Scene& scene, Submission* submission) {
   const Settings settings = settings_for(scene, explain.options);
   const Pixel pixel = parse_pixel(explain.pixel, settings.size);
   const Recording recording = record_pixel(scene, settings, solution_table(), pixel.column, pixel.row);
@@ -97,10 +98,11 @@ void explain_pixel(const Explain& explain, const Scene& scene, Submission* submi
     write_file(explain.svg, [&](std::ostream& stream) { stream << explanation_svg(scene, explanation); });
   std::cout << (explain.json ? explanation_json(scene, explanation) : explanation_text(scene, explanation));
   if (!explain.svg.empty() && !explain.json) std::cout << '\n' << explain.svg << '\n';
+  return explanation.other && (explanation.other->difference || !explanation.other->color);
 }
 
-/// Without a pixel: those that differ most, by what differs first in them.
-void explain_image(const Explain& explain, const Scene& scene, Submission& submission) {
+/// Without a pixel: those that differ most, by what differs first in them. Returns whether there are any.
+bool explain_image(const Explain& explain, const Scene& scene, Submission& submission) {
   Settings settings = settings_for(scene, explain.options);
   if (explain.options.size.empty()) settings.size = fitted(scene.image, longer_side_to_compare);
   const ImageDifferences found = find_differences(scene, settings, solution_table(),
@@ -108,6 +110,7 @@ void explain_image(const Explain& explain, const Scene& scene, Submission& submi
                                                   submission.ask(), thread_count(explain.options.threads), most_pixels);
   std::cout << (explain.json ? differences_json(found)
                              : differences_text(explain.scene, settings, found, submission.with()));
+  return found.differing > 0 || !found.error.empty();
 }
 
 std::vector<std::string_view> tasks_up_to(const Explain& explain) {
@@ -117,7 +120,8 @@ std::vector<std::string_view> tasks_up_to(const Explain& explain) {
   return labels;
 }
 
-void run(const Explain& explain) {
+/// Returns whether a submission differs.
+bool run(const Explain& explain) {
   const Scene scene = load_scene(explain.scene);
   std::optional<Submission> submission;
   const bool with = !explain.options.submissions.with.empty();
@@ -129,11 +133,10 @@ void run(const Explain& explain) {
     const int stage = settings_for(scene, explain.options).stage;
     submission.emplace(build_with(explain.options.submissions, 1, stage));
   }
-  if (explain.pixel.empty())
-    explain_image(explain, scene, *submission);
-  else
-    explain_pixel(explain, scene, submission ? &*submission : nullptr);
+  const bool differs = explain.pixel.empty() ? explain_image(explain, scene, *submission)
+                                             : explain_pixel(explain, scene, submission ? &*submission : nullptr);
   if (submission && !explain.json) print_hints(submission->ask(), tasks_up_to(explain), explain.hint);
+  return differs;
 }
 
 }  // namespace
@@ -157,12 +160,15 @@ void add_explain(CLI::App& app) {
       "differently. Without --pixel it looks for the pixels that differ most (in an image of 160 pixels, unless --size "
       "says\n"
       "more) and groups them by that call.\n\n"
+      "Exit code: 0 no difference, 1 a difference was found or there is an error, 2 wrong usage.\n\n"
       "Examples:\n"
       "  raylab explain scenes/scene2.toml --pixel 320,240\n"
       "  raylab explain scenes/scene4.toml --stage 6 --pixel 200,260 --svg rays.svg\n"
       "  raylab explain scenes/scene2.toml --stage 4 --pixel 320,240 --with my-lab\n"
       "  raylab explain scenes/scene2.toml --stage 4 --with my-lab --hint 1");
-  command->callback([explain] { run(*explain); });
+  command->callback([explain] {
+    if (run(*explain)) throw CLI::RuntimeError(failure);
+  });
 }
 
 }  // namespace raylab::cli

@@ -10,6 +10,8 @@
 #endif
 
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -91,8 +93,12 @@ std::vector<std::string_view> failed_tasks(const std::vector<std::string_view>& 
   return failed.empty() ? labels : failed;
 }
 
+/// Catch2 has signal handlers of its own while a test runs. They end the run, and then hand the signal on to this one.
+extern "C" void end_interrupted(int) { std::_Exit(interrupted); }
+
 test::Totals run(const Test& test) {
   const std::string tag = tag_of(test.selection);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, end_interrupted);
   if (test.submissions.with.empty() && test.hint > 0) throw Failure("--hint goes with --with", wrong_usage);
   if (test.submissions.with.empty()) return test::run_tests(tag, solution_table());
   const std::vector<Chosen> chosen = chosen_submissions(test.submissions);
@@ -102,7 +108,7 @@ test::Totals run(const Test& test) {
   const auto images = [&](const Scene& scene, const Settings& settings) {
     return make_worker_engine(scene, settings, setup, thread_count(0), tell_stand_in);
   };
-  const test::Totals totals = test::run_tests(tags_of(chosen, test.selection), remote.table(), images);
+  const test::Totals totals = test::tell_tests(tags_of(chosen, test.selection), remote.table(), images, setup.with, std::cout);
   if (totals.failed > 0) {
     const AskTask ask = [&](const TaskInfo& task, const std::string& arguments) { return remote.ask(task, arguments); };
     print_hints(ask, failed_tasks(labels_of(chosen, test.selection), totals), test.hint);

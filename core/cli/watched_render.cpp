@@ -46,10 +46,10 @@ RenderTotals watched_render(const Engine& engine, ImageSize size, unsigned threa
     };
     totals = render(engine, size, thread_count(threads), sink, report, interrupt_flag());
   }
-  if (totals.non_finite_pixels > 0)
-    std::cerr
-        << "raylab: warning: " << totals.non_finite_pixels
-        << " pixels are not finite numbers (they are black in 8 bits): a task or a formula divides by zero somewhere\n";
+  if (const auto& first = totals.first_non_finite)
+    std::cerr << "raylab: warning: " << totals.non_finite_pixels << " pixels are not finite numbers, the first at "
+              << first->column << ',' << first->row
+              << " (they are black in 8 bits): a task or a formula divides by zero somewhere\n";
   return totals;
 }
 

@@ -41,6 +41,10 @@ std::string explanation_svg(const Scene& scene, const Explanation& explanation);
 /// A difference by itself: which call, what was asked and answered, which formula is at stake.
 std::string difference_text(const Difference& difference, const std::string& with);
 
+/// The values of a JSON object, a line each, for people: "n = (0, 1, 0)". Of one that would be long each member by itself:
+/// "hit.point = (1, 2, 3)". What is no object is one line.
+std::vector<std::string> value_lines(const std::string& json);
+
 /// What a geometry is called: "sphere[2]", as in messages on scene files; "nothing" for no_geometry.
 std::string geometry_name(const Scene& scene, GeometryId id);
 

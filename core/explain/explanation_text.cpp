@@ -2,6 +2,7 @@
 
 #include "core/calls/json_value.hpp"
 #include "core/explain/formulas.hpp"
+#include "core/explain/handbook.hpp"
 
 #include <cmath>
 #include <iomanip>
@@ -42,7 +43,7 @@ std::string readable(const JsonValue& value, int digits) {
   if (const auto* flag = std::get_if<bool>(&value.data)) return *flag ? "true" : "false";
   if (const auto* number = std::get_if<double>(&value.data)) {
     std::ostringstream stream;
-    stream << std::setprecision(digits) << *number;
+    stream << std::setprecision(digits) << (*number == 0 ? 0.0 : *number);
     return stream.str();
   }
   return "nothing";
@@ -54,6 +55,18 @@ std::pair<std::string, std::string> readable_pair(const std::string& wanted, con
   int digits = 6;
   while (digits < 17 && readable(a, digits) == readable(b, digits)) ++digits;
   return {readable(a, digits), readable(b, digits)};
+}
+
+void add_lines(const std::string& name, const JsonValue& value, std::vector<std::string>& lines) {
+  constexpr std::size_t longest = 90;
+  const std::string text = readable(value, 6);
+  const auto* const object = std::get_if<JsonObject>(&value.data);
+  if (!object || (!name.empty() && text.size() <= longest)) {
+    lines.push_back(name.empty() ? text : name + " = " + text);
+    return;
+  }
+  for (const JsonMember& member : *object)
+    add_lines(name.empty() ? member.key : name + "." + member.key, member.value, lines);
 }
 
 class TreeText {
@@ -148,14 +161,19 @@ std::string kind_name(RayNode::Kind kind) {
   return kinds[static_cast<std::size_t>(kind)];
 }
 
+std::vector<std::string> value_lines(const std::string& json) {
+  std::vector<std::string> lines;
+  add_lines("", parse_json(json), lines);
+  return lines;
+}
+
 std::string difference_text(const Difference& difference, const std::string& with) {
   const TaskInfo& task = *difference.call.task;
   std::ostringstream out;
   out << "  task      " << task.label << ' ' << task.name << ": " << task.summary << '\n';
   const char* before = "  asked     ";
-  const JsonValue arguments = parse_json(difference.call.arguments);
-  for (const JsonMember& argument : std::get<JsonObject>(arguments.data)) {
-    out << before << argument.key << " = " << readable(argument.value, 6) << '\n';
+  for (const std::string& line : value_lines(difference.call.arguments)) {
+    out << before << line << '\n';
     before = "            ";
   }
   const auto [wanted, got] =
@@ -163,7 +181,7 @@ std::string difference_text(const Difference& difference, const std::string& wit
   out << "  expected  " << wanted << "\n  got       " << got << '\n';
   if (const Formula formula = formula_of(task.label); !formula.formula.empty())
     out << "  formula   " << formula.formula << "\n  handout   " << formula.handout << '\n';
-  out << "  contract  stages/" << stage_info(stage_of(task.label)).folder << "/stage.hpp\n"
+  out << "  contract  " << in_handbook(std::string(stage_info(stage_of(task.label)).folder) + "/stage.hpp") << '\n'
       << "  again     raylab call " << task.label << " '" << difference.call.arguments << "' " << with << '\n';
   return out.str();
 }

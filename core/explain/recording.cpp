@@ -22,7 +22,7 @@ class Recorder {
     table_ = table;
     events_.clear();
   }
-  std::vector<Event> take() { return std::move(events_); }
+  std::vector<Event> take() { return std::exchange(events_, {}); }
   void note(const Seen& seen) { events_.emplace_back(seen); }
 
   template <auto member, class... Parameters>

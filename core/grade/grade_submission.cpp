@@ -279,7 +279,7 @@ std::string first_difference_at_worst(const View& view, const Settings& settings
   const auto found = first_difference(record_pixel(view.scene, settings, solution, pixel.column, pixel.row), ask);
   const std::string where = "pixel " + std::to_string(pixel.column) + "," + std::to_string(pixel.row);
   if (!found) return where + ": every call is answered as the solution does";
-  return tamed(where + ":\n" + difference_text(*found, "--with YOUR-FOLDER"));
+  return tamed(where + ":\n" + difference_text(*found, with_submission));
 }
 
 class ImageJudge {
@@ -344,7 +344,7 @@ WorkerSetup setup_for(int stage, const fs::path& library, bool with_earlier_stag
     setup.libraries.push_back({solution_library(other), labels_of(other)});
   setup.libraries.push_back({library, labels_of(stage)});
   setup.sandbox = &tools.sandbox;
-  setup.with = "--with YOUR-FOLDER";
+  setup.with = with_submission;
   setup.limits.call = std::chrono::milliseconds(static_cast<long>(grading.call_seconds * 1000));
   setup.limits.memory = std::int64_t{grading.megabytes} << 20U;
   return setup;

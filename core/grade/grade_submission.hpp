@@ -16,6 +16,9 @@
 
 namespace raylab {
 
+/// How students name their submission in the commands that reports show.
+inline constexpr const char* with_submission = "--with YOUR-FOLDER";
+
 /// What a task's unit tests say of a table.
 struct TestOutcome {
   int passed = 0;

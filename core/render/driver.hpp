@@ -92,8 +92,9 @@ class Driver {
     const std::optional<std::size_t> nearest = table_.nearest_hit(candidates_);
     if (!nearest) return {};
     if (*nearest >= candidates_.size() || !candidates_[*nearest].t)
-      throw std::runtime_error("task 2.4 nearest_hit chose number " + std::to_string(*nearest) + " of " +
-                               std::to_string(candidates_.size()) + ", which is not a hit");
+      throw std::runtime_error("task 2.4 nearest_hit chose place " + std::to_string(*nearest) + " (from 0) of a list of " +
+                               std::to_string(candidates_.size()) +
+                               ", where no hit stands; 'raylab test 2.4' shows such a call");
     return hit_at(ray, candidates_[*nearest].geometry, *candidates_[*nearest].t);
   }
 

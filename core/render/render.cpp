@@ -143,19 +143,32 @@ class Bands {
 
 }  // namespace
 
+namespace {
+
+/// Counts the pixels of these rows that are no finite numbers.
+void count_non_finite(std::span<const Color> pixels, int first_row, int width, RenderTotals& totals) {
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    if (is_finite(pixels[k])) continue;
+    const int place = static_cast<int>(k);
+    if (totals.non_finite_pixels++ == 0) totals.first_non_finite = {place % width, first_row + place / width};
+  }
+}
+
+}  // namespace
+
 RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, const RowSink& sink, const Progress& progress,
                     const std::atomic<bool>& cancel) {
-  std::uint64_t non_finite_pixels = 0;
+  RenderTotals found;
   Bands bands(engine, size, std::max(1u, threads), cancel);
   for (int band = 0; band < bands.count(); ++band) {
     const std::vector<Color> pixels = bands.take(band, [&] { progress(bands.done()); });
-    non_finite_pixels += static_cast<std::uint64_t>(
-        std::count_if(pixels.begin(), pixels.end(), [](const Color& c) { return !std::isfinite(c.r + c.g + c.b); }));
+    count_non_finite(pixels, band * band_rows, size.width, found);
     sink(band * band_rows, pixels);
     progress(bands.done());
   }
   RenderTotals totals = bands.totals();
-  totals.non_finite_pixels = non_finite_pixels;
+  totals.non_finite_pixels = found.non_finite_pixels;
+  totals.first_non_finite = found.first_non_finite;
   return totals;
 }
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 
 namespace raylab {
@@ -18,10 +19,16 @@ using RowSink = std::function<void(int first_row, std::span<const Color> pixels)
 /// render().
 using Progress = std::function<void(double done)>;
 
+/// A pixel, from 0 at the top left.
+struct PixelPlace {
+  int column, row;
+};
+
 struct RenderTotals {
   RayCounts rays;
   double trace_seconds = 0;             ///< processor time of the threads in Engine::trace_rows, added up
   std::uint64_t non_finite_pixels = 0;  ///< pixels with a component that is no finite number: always a mistake somewhere
+  std::optional<PixelPlace> first_non_finite;  ///< the first of these, row by row
 };
 
 /// Renders an image of `size` in bands of rows over `threads` threads (at least 1). The same pixels for any number.

@@ -1,6 +1,7 @@
 #include "tests/hints/hints.hpp"
 
 #include "core/explain/formulas.hpp"
+#include "core/explain/handbook.hpp"
 #include "tests/hints/observed.hpp"
 #include "tests/mistakes/mistakes.hpp"
 
@@ -34,7 +35,7 @@ std::string where_to_look(const TaskInfo& task) {
   const StageInfo& stage = stage_info(stage_of(task.label));
   const Formula formula = formula_of(task.label);
   std::string text =
-      "stages/" + std::string(stage.folder) + "/README.md, " + std::string(task.label) + " " + std::string(task.name);
+      in_handbook(std::string(stage.folder) + "/README.md") + ", " + std::string(task.label) + " " + std::string(task.name);
   if (!formula.formula.empty())
     text += ": " + std::string(formula.formula) + " (handout, " + std::string(formula.handout) + ")";
   return text +

@@ -30,6 +30,18 @@ std::vector<Mistake> mistakes_in_rays() {
            return camera_ray(c, std::max(w, h), x + dx, y + dy);
          };
        }},
+      {"1.1", "half a pixel to the wrong side",
+       [](StageTable& t) {
+         t.camera_ray = [](const Camera& c, int w, int h, double x, double y, double dx, double dy) {
+           return camera_ray(c, std::max(w, h), x + 0.5 + dx, y + 0.5 + dy);
+         };
+       }},
+      {"1.1", "half the screen: tan(theta)/larger for 2 tan(theta)/larger",
+       [](StageTable& t) {
+         t.camera_ray = [](const Camera& c, int w, int h, double x, double y, double dx, double dy) {
+           return camera_ray(c, 2 * std::max(w, h), x - 0.5 + dx, y - 0.5 + dy);
+         };
+       }},
       {"1.1", "upside down",
        [](StageTable& t) {
          t.camera_ray = [](const Camera& c, int w, int h, double x, double y, double dx, double dy) {

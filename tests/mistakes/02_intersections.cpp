@@ -43,6 +43,15 @@ std::vector<Mistake> mistakes_in_intersections() {
            return distance >= 0 ? std::optional(distance) : std::nullopt;
          };
        }},
+      {"2.1", "the plane at the origin",
+       [](StageTable& t) {
+         t.plane_hit = [](const Ray& ray, const Plane& plane) -> std::optional<double> {
+           const double slope = dot(ray.direction, plane.normal);
+           if (slope == 0) return {};
+           const double distance = -dot(ray.origin, plane.normal) / slope;
+           return distance >= 0 ? std::optional(distance) : std::nullopt;
+         };
+       }},
       {"2.1", "planes seen from one side only",
        [](StageTable& t) {
          t.plane_hit = [](const Ray& ray, const Plane& plane) -> std::optional<double> {
@@ -100,6 +109,21 @@ std::vector<Mistake> mistakes_in_intersections() {
            const auto [b, d] = quadratic(ray, sphere);
            const double c = b * b - d;
            return first_root(b, b * b - c / 4);
+         };
+       }},
+      {"2.2", "2a left out: the root not halved",
+       [](StageTable& t) {
+         t.sphere_hit = [](const Ray& ray, const Sphere& sphere) {
+           const auto [b, d] = quadratic(ray, sphere);
+           return first_root(2 * b, 4 * d);
+         };
+       }},
+      {"2.2", "b without its 2",
+       [](StageTable& t) {
+         t.sphere_hit = [](const Ray& ray, const Sphere& sphere) {
+           const auto [b, d] = quadratic(ray, sphere);
+           const double c = b * b - d;
+           return first_root(b / 2, (b * b - 4 * c) / 4);
          };
        }},
       {"2.2", "a negative t returned",
@@ -214,6 +238,21 @@ std::vector<Mistake> mistakes_in_intersections() {
          };
        },
        Shows::in_unit_tests, "there is no image: the driver refuses the answer, and says so"},
+      {"2.4", "the place among the hits only",
+       [](StageTable& t) {
+         t.nearest_hit = [](std::span<const Candidate> all) {
+           std::optional<std::size_t> best;
+           double least = 0;
+           std::size_t hits = 0;
+           for (const Candidate& c : all) {
+             if (!c.t) continue;
+             if (!best || *c.t < least) best = hits, least = *c.t;
+             ++hits;
+           }
+           return best;
+         };
+       },
+       Shows::in_unit_tests, "there is no image: the driver refuses an answer that names a miss, and says so"},
       {"2.4", "of equal distances the last",
        [](StageTable& t) {
          t.nearest_hit = [](std::span<const Candidate> all) {

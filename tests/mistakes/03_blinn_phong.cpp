@@ -30,6 +30,13 @@ double by_the_light(const Vec3& l, const Vec3& n, const Vec3&, double alpha) {
   if (alpha == 0 || std::isinf(alpha)) return 0;
   return weight(alpha) * std::pow(std::max(0.0, dot(l, n)), alpha);
 }
+double times_alpha(const Vec3& l, const Vec3& n, const Vec3& v, double alpha) {
+  if (alpha == 0 || std::isinf(alpha)) return 0;
+  return weight(alpha) * alpha * std::max(0.0, dot(unit(l + v), n));
+}
+double times_the_cosine(const Vec3& l, const Vec3& n, const Vec3& v, double alpha) {
+  return dot(l, n) * right_specular(l, n, v, alpha);
+}
 double no_specular(const Vec3&, const Vec3&, const Vec3&, double) { return 0; }
 
 template <double (*weight_of)(double alpha)>
@@ -68,6 +75,8 @@ double inverse_one_plus_square(double r) { return 1 / (1 + r * r); }
 double inverse(double r) { return 1 / (1 + r); }
 double none(double) { return 1; }
 
+double numerator_left_out(double alpha) { return 1 / (1 + std::exp(-alpha / 200)); }
+double not_divided_by_200(double alpha) { return std::tanh(alpha / 2); }
 double positive_exponent(double alpha) { return (1 - std::exp(alpha / 200)) / (1 + std::exp(alpha / 200)); }
 
 double unclamped_diffuse(double l_n) { return l_n; }
@@ -107,6 +116,8 @@ std::vector<Mistake> mistakes_in_blinn_phong() {
       {"3.1", "shininess over 100", put_weight<over_100>},
       {"3.1", "1 - e^-x alone", put_weight<exponential_alone>},
       {"3.1", "missing minus: e^(alpha/200)", put_weight<positive_exponent>},
+      {"3.1", "the numerator left out: 1/(1 + e^-x)", put_weight<numerator_left_out>},
+      {"3.1", "shininess not divided by 200", put_weight<not_divided_by_200>},
       {"3.2", "no k_s", put_light<right_diffuse, unweighted>},
       {"3.2", "no specular term", put_light<right_diffuse, no_specular>},
       {"3.2", "the absolute value of L.N for the clamp", put_light<absolute_diffuse, right_specular>},
@@ -114,6 +125,8 @@ std::vector<Mistake> mistakes_in_blinn_phong() {
       {"3.2", "H not unit", put_light<right_diffuse, half_vector_not_unit>},
       {"3.2", "H from L - V", put_light<right_diffuse, half_vector_by_difference>},
       {"3.2", "L.N for H.N", put_light<right_diffuse, by_the_light>},
+      {"3.2", "shininess as a factor, not a power", put_light<right_diffuse, times_alpha>},
+      {"3.2", "the highlight times L.N", put_light<right_diffuse, times_the_cosine>},
       {"3.2", "1 - k_s on the diffuse term", put_blinn_phong<weight_on_diffuse>},
       {"3.2", "highlight not tinted by C", put_blinn_phong<white_highlight>},
       {"3.2", "k_s on the diffuse term, not on the highlight", put_blinn_phong<weight_moved_to_diffuse>},
@@ -140,6 +153,14 @@ std::vector<Mistake> mistakes_in_blinn_phong() {
          };
        }},
       {"3.3", "the squared distance taken for the distance", put_falloff<of_squared_distance>},
+      {"3.3", "the distance of the light from the origin",
+       [](StageTable& t) {
+         t.point_light = [](const PointLight& light, const Vec3& p, const Vec3& n, const Vec3& v, const Material& m) {
+           const double r = length(light.position);
+           return blinn_phong_of<right_diffuse, right_specular>(unit(light.position - p), n, v,
+                                                                light.intensity / ((1 + r) * (1 + r)), m.color, m.shininess);
+         };
+       }},
       {"3.3", "L from the light to the point",
        [](StageTable& t) {
          t.point_light = [](const PointLight& light, const Vec3& p, const Vec3& n, const Vec3& v, const Material& m) {
@@ -210,6 +231,14 @@ std::vector<Mistake> mistakes_in_blinn_phong() {
            Color sum(0);
            for (const Color& c : all) sum += c / static_cast<double>(all.size());
            return sum;
+         };
+       }},
+      {"3.6", "the product, not the sum",
+       [](StageTable& t) {
+         t.sum_lights = [](std::span<const Color> all) {
+           Color product(1);
+           for (const Color& c : all) product *= c;
+           return product;
          };
        }},
       {"3.6", "the last light only",

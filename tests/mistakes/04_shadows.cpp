@@ -12,6 +12,18 @@ std::vector<Mistake> mistakes_in_shadows() {
            return std::any_of(all.begin(), all.end(), [&](const Crossing& c) { return c.t < distance; });
          };
        }},
+      {"4.1", "only glass blocks",
+       [](StageTable& t) {
+         t.blocked = [](std::span<const Crossing> all, double distance) {
+           return std::any_of(all.begin(), all.end(), [&](const Crossing& c) { return c.transparent && c.t < distance; });
+         };
+       }},
+      {"4.1", "blocked only if everything blocks",
+       [](StageTable& t) {
+         t.blocked = [](std::span<const Crossing> all, double distance) {
+           return std::all_of(all.begin(), all.end(), [&](const Crossing& c) { return !c.transparent && c.t < distance; });
+         };
+       }},
       {"4.1", "blocked from past the light",
        [](StageTable& t) {
          t.blocked = [](std::span<const Crossing> all, double) {

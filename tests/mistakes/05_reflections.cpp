@@ -15,6 +15,8 @@ Vec3 equation_on_the_cast_ray(const Vec3& d, const Vec3& n) { return 2 * dot(d, 
 Vec3 half_way(const Vec3& d, const Vec3& n) { return unit(d - 1.9 * dot(d, n) * n); }
 
 Vec3 once(const Vec3& d, const Vec3& n) { return d - dot(d, n) * n; }
+Vec3 plus_for_minus(const Vec3& d, const Vec3& n) { return d + 2 * dot(d, n) * n; }
+Vec3 straight_on(const Vec3& d, const Vec3&) { return d; }
 Vec3 straight_back(const Vec3& d, const Vec3&) { return -d; }
 
 }  // namespace
@@ -24,6 +26,8 @@ std::vector<Mistake> mistakes_in_reflections() {
       {"5.1", "equation 4 on the cast ray", put_reflect<equation_on_the_cast_ray>},
       {"5.1", "1.9 for 2", put_reflect<half_way>},
       {"5.1", "once for twice", put_reflect<once>},
+      {"5.1", "plus for minus: d + 2 (d.n) n", put_reflect<plus_for_minus>},
+      {"5.1", "straight on", put_reflect<straight_on>},
       {"5.1", "straight back", put_reflect<straight_back>},
       {"5.2", "reflection not weighted",
        [](StageTable& t) {
@@ -76,6 +80,8 @@ std::vector<Mistake> mistakes_in_reflections() {
       {"5.3", "no limit but 40", [](StageTable& t) { t.go_on = [](int b, int, double w) { return b <= 40 && w != 0; }; }},
       {"5.3", "faint reflections not traced: a weight below 0.05",
        [](StageTable& t) { t.go_on = [](int b, int most, double w) { return b <= most && w > 0.05; }; }},
+      {"5.3", "or for and: what has a weight is traced without end",
+       [](StageTable& t) { t.go_on = [](int b, int most, double w) { return b <= most || (w != 0 && b <= 40); }; }},
       {"5.3", "rays of weight 0 traced", [](StageTable& t) { t.go_on = [](int b, int most, double) { return b <= most; }; },
        Shows::in_unit_tests, "what such a ray brings is multiplied by 0; it only takes time"},
   };

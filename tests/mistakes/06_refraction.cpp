@@ -68,6 +68,13 @@ std::optional<Ray> half_the_chord(const Sphere& sphere, double index, const Hit&
   return ray;
 }
 
+std::optional<Ray> chord_of_the_outer_angle(const Sphere& sphere, double index, const Hit& hit) {
+  std::optional<Ray> ray = through<right_exit>(sphere, index, hit);
+  if (ray) ray->origin = hit.point - 2 * sphere.radius * dot(hit.direction, hit.normal) * unit(ray->origin - hit.point);
+  return ray;
+}
+
+double what_passes(double cosine, double n) { return 1 - right_schlick(cosine, n); }
 double in_degrees(double cosine, double n) { return right_schlick(std::cos(std::acos(cosine) * 180 / std::acos(-1.0)), n); }
 double unclamped(double cosine, double n) {
   const double R0 = right_schlick(1, n);
@@ -119,6 +126,8 @@ std::vector<Mistake> mistakes_in_refraction() {
       {"6.1", "the exit ray leaves nothing", put_through<leaves_nothing>},
       {"6.1", "the exit ray leaves inwards", put_through<leaves_inwards>},
       {"6.1", "half the chord", put_through<half_the_chord>},
+      {"6.1", "the chord by the angle in air", put_through<chord_of_the_outer_angle>},
+      {"6.2", "1 - R for R", put_schlick<what_passes>},
       {"6.2", "sine for cosine", put_schlick<with_sine>},
       {"6.2", "the inner angle", put_schlick<by_the_inner_angle>},
       {"6.2", "fourth power", put_schlick<fourth_power>},
@@ -132,6 +141,14 @@ std::vector<Mistake> mistakes_in_refraction() {
       {"6.3", "weights exchanged", put_mix<reversed>},
       {"6.3", "no reflection", put_mix<no_reflection>},
       {"6.3", "refraction not weighted", put_mix<refraction_unweighted>},
+      {"6.3", "from inside as from outside",
+       [](StageTable& t) {
+         t.glass_bounces = [](const Sphere& sphere, double index, const Hit& hit) {
+           Hit outside = hit;
+           outside.leaves.side = Side::outwards;
+           return glass<right_through, right_schlick, right_mix>(sphere, index, outside);
+         };
+       }},
       {"6.3", "from inside, the cosine in the glass", put_inside<cosine_in_the_glass>},
       {"6.3", "from inside, bent as from outside", put_inside<bends_like_from_outside>},
       {"6.3", "the NaN of total reflection inside left in", put_inside<nan_inside>, Shows::in_floats,

@@ -19,6 +19,18 @@ std::vector<Mistake> mistakes_in_ssaa() {
            return std::vector<SampleOffset>{{-.125, .375}, {-.375, -.125}, {.125, -.375}, {.375, .125}};
          };
        }},
+      {"7.1", "from the pixel's corner, not its center",
+       [](StageTable& t) {
+         t.sample_positions = [] {
+           return std::vector<SampleOffset>{{.625, .875}, {.875, .375}, {.375, .125}, {.125, .625}};
+         };
+       }},
+      {"7.1", "dx and dy exchanged",
+       [](StageTable& t) {
+         t.sample_positions = [] {
+           return std::vector<SampleOffset>{{.375, .125}, {-.125, .375}, {-.375, -.125}, {.125, -.375}};
+         };
+       }},
       {"7.1", "one sample four times",
        [](StageTable& t) { t.sample_positions = [] { return std::vector<SampleOffset>(4); }; }},
       {"7.1", "twice as far from the center",
@@ -59,6 +71,22 @@ std::vector<Mistake> mistakes_in_ssaa() {
            Color sum(0);
            for (const Color& sample : samples) sum += sample;
            return glm::clamp(sum, Color(0), Color(1)) / static_cast<double>(samples.size());
+         };
+       }},
+      {"7.2", "the brightest sample",
+       [](StageTable& t) {
+         t.resolve = [](std::span<const Color> samples) {
+           Color brightest(0);
+           for (const Color& sample : samples) brightest = glm::max(brightest, sample);
+           return glm::min(brightest, Color(1));
+         };
+       }},
+      {"7.2", "gamma: the square root of the mean",
+       [](StageTable& t) {
+         t.resolve = [](std::span<const Color> samples) {
+           Color mean(0);
+           for (const Color& sample : samples) mean += sample / static_cast<double>(samples.size());
+           return glm::sqrt(glm::clamp(mean, Color(0), Color(1)));
          };
        }},
       {"7.2", "no clamp",
