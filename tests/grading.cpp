@@ -3,7 +3,7 @@
 #include "core/grade/grading.hpp"
 #include "core/calls/plain_json.hpp"
 #include "core/grade/class_folder.hpp"
-#include "core/grade/taken_files.hpp"
+#include "core/submission/taken_files.hpp"
 #include "core/grade/view.hpp"
 #include "core/image/data_folder.hpp"
 #include "core/scene/read_scene.hpp"

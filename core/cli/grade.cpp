@@ -21,9 +21,6 @@
 #include "tests/runner.hpp"
 #include "tests/selection.hpp"
 
-#include <sys/resource.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
@@ -132,17 +129,6 @@ WrongTask look_at(std::string_view task, const AskTask& ask, int level) {
   return {level > 0 ? test::hints_text(hints, level) : "", hints.front().mistake};
 }
 
-double processor_seconds() {
-  double seconds = 0;
-  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
-    rusage used{};
-    getrusage(who, &used);
-    for (const timeval& time : {used.ru_utime, used.ru_stime})
-      seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  }
-  return seconds;
-}
-
 void grade_one(const Grade& wanted) {
   adopt_orphans();
   const ClassFolder out(wanted.out, wanted.seed);
@@ -178,7 +164,7 @@ std::vector<Submitted> wanted_shard(const Grade& wanted, const std::vector<Submi
 
 /// Runs this program on one submission. What goes wrong is raylab's fault, and becomes a result too.
 void run_one(const Grade& wanted, const Submitted& submitted, const ClassFolder& out, const Grading& grading) {
-  std::vector<std::string> command{fs::read_symlink("/proc/self/exe").string(),
+  std::vector<std::string> command{running_program().string(),
                                    "grade-one",
                                    submitted.folder.string(),
                                    "--id",
@@ -293,7 +279,6 @@ ClassResults graded(Grade& wanted, std::vector<Submitted>& all) {
 }
 
 void grade(Grade wanted) {
-  umask(S_IWGRP | S_IWOTH);  // the sandbox's user reads some of what is written
   const auto write_gradescope = [&](const std::string& json) {
     if (!wanted.gradescope.empty()) write_file(wanted.gradescope, [&](std::ostream& stream) { stream << json; });
   };

@@ -1,7 +1,7 @@
 #include "core/grade/class_folder.hpp"
 
 #include "core/calls/plain_json.hpp"
-#include "core/grade/taken_files.hpp"
+#include "core/submission/taken_files.hpp"
 #include "core/image/file_hash.hpp"
 #include "core/image/partial_file.hpp"
 #include "core/results/roster.hpp"

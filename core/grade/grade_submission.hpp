@@ -2,7 +2,7 @@
 
 #include "core/explain/first_difference.hpp"
 #include "core/grade/grading.hpp"
-#include "core/grade/taken_files.hpp"
+#include "core/submission/taken_files.hpp"
 #include "core/grade/view.hpp"
 #include "core/render/stage_table.hpp"
 #include "core/results/results.hpp"

@@ -8,9 +8,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path program_folder() { return fs::path(OIIO::Sysutil::this_program_path()).parent_path(); }
+fs::path program_folder() { return running_program().parent_path(); }
 
 }  // namespace
+
+fs::path running_program() { return OIIO::Sysutil::this_program_path(); }
 
 fs::path data_folder(const std::string& name) {
   const fs::path installed = (program_folder() / RAYLAB_DATA_FROM_PROGRAM).lexically_normal() / name;

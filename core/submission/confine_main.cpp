@@ -208,9 +208,9 @@ void forbid_calls(const Confinement& wanted) {
   if (wanted.alone) {
     const auto own = static_cast<scmp_datum_t>(getpid());
     for (const char* const name : forbidden_alone) filter.forbid(name);
-    filter.forbid("clone", {SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0)});
+    filter.forbid("clone", {{0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0}});
     filter.forbid("clone3", {}, ENOSYS);  // its flags are in memory; with this answer the C library takes clone
-    for (const char* const name : {"kill", "tgkill"}) filter.forbid(name, {SCMP_A0(SCMP_CMP_NE, own)});
+    for (const char* const name : {"kill", "tgkill"}) filter.forbid(name, {{0, SCMP_CMP_NE, own, 0}});
   }
   filter.start();
 }

@@ -4,7 +4,11 @@
 #include "core/image/data_folder.hpp"
 #include "core/submission/child_process.hpp"
 
+#ifdef __linux__
 #include <sys/prctl.h>
+#endif
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,8 +58,14 @@ void let_others_read(const fs::path& path) {
 }  // namespace
 
 Sandbox::Sandbox() : room_(new_folder(fs::temp_directory_path())) {
+  umask(S_IWGRP | S_IWOTH);
   let_others_read(room_);
-  confine_ = inside(program_part("raylab-confine")).string();
+  const fs::path confine = program_part("raylab-confine");
+  if (!fs::exists(confine)) {
+    missing_.emplace_back("raylab-confine", "it is made for Linux alone");
+    return;
+  }
+  confine_ = inside(confine).string();
   const SandboxJob nothing{{"/usr/bin/true"}, {}, {}, true, {std::int64_t{1} << 30U, 10, 0}};
   if (geteuid() == 0) {
     uid_ = first_own_user + getpid() % own_users;
@@ -102,6 +112,7 @@ fs::path Sandbox::writable_folder() const {
 }
 
 std::vector<std::string> Sandbox::command(const SandboxJob& job) const {
+  if (confine_.empty()) return job.command;
   Confinement confinement = inner(job);
   std::vector<std::string> whole;
   if (bubblewrap_.empty()) {
@@ -155,7 +166,7 @@ std::vector<std::string> Sandbox::namespaces(const SandboxJob& job) const {
       add("--ro-bind", folder, folder);
   }
   // Tests and solution are compiled into the program itself.
-  if (const fs::path self = fs::read_symlink("/proc/self/exe"); job.compiles && self.string().starts_with("/usr/bin/"))
+  if (const fs::path self = running_program(); job.compiles && self.string().starts_with("/usr/bin/"))
     add("--ro-bind", "/dev/null", self);
   for (const fs::path& path : job.readable) add("--ro-bind", path, path);
   add("--ro-bind", confine_, confine_);
@@ -172,21 +183,25 @@ std::vector<Protection> Sandbox::protections() const {
       if (holds) names += (names.empty() ? "" : ", ") + name;
     return names.empty() ? "nothing" : names;
   };
-  const bool own_user = uid_ != 0;
+  const bool own_user = uid_ != 0, limits = !confine_.empty();
   return {
       {"expected answers are out of reach", true, "they stay in raylab's process"},
       {"no other files", namespaces || landlock_, by({{namespaces, "namespaces"}, {landlock_, "Landlock"}})},
       {"no network", namespaces || seccomp_, by({{namespaces, "namespaces"}, {seccomp_, "system call filter"}})},
       {"no other processes", namespaces || seccomp_ || own_user,
        by({{namespaces, "namespaces"}, {seccomp_, "system call filter"}, {own_user, "a user of its own"}})},
-      {"bounded memory, time, files", true, "limits"},
+      {"bounded memory, time, files", limits, by({{limits, "limits"}})},
       {"bounded number of processes", namespaces || seccomp_ || own_user,
        by({{namespaces || own_user, "limits"}, {seccomp_, "system call filter"}})},
-      {"no new privileges", true, "no_new_privs" + std::string(namespaces ? ", namespaces" : "")},
+      {"no new privileges", limits, by({{limits, "no_new_privs"}, {namespaces, "namespaces"}})},
   };
 }
 
-void adopt_orphans() { prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0); }
+void adopt_orphans() {
+#ifdef __linux__
+  prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
+#endif
+}
 
 namespace {
 
@@ -214,6 +229,17 @@ void end_children() {
     while (waitpid(-1, nullptr, 0) > 0 || errno == EINTR) {
     }
   }
+}
+
+double processor_seconds() {
+  double seconds = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage used{};
+    getrusage(who, &used);
+    for (const timeval& time : {used.ru_utime, used.ru_stime})
+      seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
+  return seconds;
 }
 
 bool Sandbox::is_safe() const {

@@ -38,7 +38,8 @@ struct Protection {
 /// says what each is for.
 class Sandbox {
  public:
-  /// Tries what this machine permits, by running programs: some tens of milliseconds.
+  /// Tries what this machine permits, by running programs: some tens of milliseconds. From then on this process lets
+  /// everybody read the files that it makes, since jobs run as somebody else.
   Sandbox();
   ~Sandbox();
   Sandbox(const Sandbox&) = delete;
@@ -86,5 +87,8 @@ void adopt_orphans();
 
 /// Ends every child of this process, however it tries to stay, and waits for it.
 void end_children();
+
+/// The processor time of this process, and of all children that it has waited for.
+double processor_seconds();
 
 }  // namespace raylab

@@ -1,4 +1,4 @@
-#include "core/grade/taken_files.hpp"
+#include "core/submission/taken_files.hpp"
 
 #include "core/render/stage_table.hpp"
 #include "core/scene/diagnostic.hpp"
