@@ -3,10 +3,10 @@
 #include "core/grade/grading.hpp"
 #include "core/calls/plain_json.hpp"
 #include "core/grade/class_folder.hpp"
-#include "core/submission/taken_files.hpp"
 #include "core/grade/view.hpp"
 #include "core/image/data_folder.hpp"
 #include "core/scene/read_scene.hpp"
+#include "core/submission/taken_files.hpp"
 #include "tests/catch.hpp"
 #include "tests/temporary_folder.hpp"
 

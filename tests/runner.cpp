@@ -26,7 +26,7 @@ StageTable table_under_test;
 bool submission_under_test = false;
 MakeEngine make_under_test;
 Totals totals;
-std::optional<std::string> told;  ///< whose tasks these are, if each test is told of as it ends
+std::optional<std::string> told;   ///< whose tasks these are, if each test is told of as it ends
 std::ostream* listener = nullptr;  ///< where to
 
 #if __has_include(<catch2/catch_all.hpp>)

@@ -108,7 +108,8 @@ test::Totals run(const Test& test) {
   const auto images = [&](const Scene& scene, const Settings& settings) {
     return make_worker_engine(scene, settings, setup, thread_count(0), tell_stand_in);
   };
-  const test::Totals totals = test::tell_tests(tags_of(chosen, test.selection), remote.table(), images, setup.with, std::cout);
+  const test::Totals totals =
+      test::tell_tests(tags_of(chosen, test.selection), remote.table(), images, setup.with, std::cout);
   if (totals.failed > 0) {
     const AskTask ask = [&](const TaskInfo& task, const std::string& arguments) { return remote.ask(task, arguments); };
     print_hints(ask, failed_tasks(labels_of(chosen, test.selection), totals), test.hint);

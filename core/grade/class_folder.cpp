@@ -1,12 +1,12 @@
 #include "core/grade/class_folder.hpp"
 
 #include "core/calls/plain_json.hpp"
-#include "core/submission/taken_files.hpp"
 #include "core/image/file_hash.hpp"
 #include "core/image/partial_file.hpp"
 #include "core/results/roster.hpp"
 #include "core/scene/diagnostic.hpp"
 #include "core/scene/read_file.hpp"
+#include "core/submission/taken_files.hpp"
 
 #include <algorithm>
 #include <ostream>

@@ -2,11 +2,11 @@
 
 #include "core/explain/first_difference.hpp"
 #include "core/grade/grading.hpp"
-#include "core/submission/taken_files.hpp"
 #include "core/grade/view.hpp"
 #include "core/render/stage_table.hpp"
 #include "core/results/results.hpp"
 #include "core/submission/sandbox.hpp"
+#include "core/submission/taken_files.hpp"
 
 #include <filesystem>
 #include <functional>
