@@ -29,7 +29,11 @@ void add_diff(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_bench(CLI::App& app);  ///< in builds with engine and oracle
 void add_handout(CLI::App& app);
-void add_grade(CLI::App& app);  ///< in builds with engine, oracle and tests
+// In builds with engine, oracle and tests:
+void add_grade(CLI::App& app);
+void add_grade_one(CLI::App& app);
+void add_merge(CLI::App& app);
+
 void add_reference(CLI::App& app);
 void add_doctor(CLI::App& app);
 

@@ -1,7 +1,6 @@
-#include "core/calls/call_task.hpp"
 #include "core/cli/command.hpp"
-#include "core/cli/engines.hpp"
 #include "core/cli/grade_views.hpp"
+#include "core/cli/grading_options.hpp"
 #include "core/cli/progress_bar.hpp"
 #include "core/cli/watched_render.hpp"
 #include "core/grade/class_folder.hpp"
@@ -14,24 +13,21 @@
 #include "core/results/github.hpp"
 #include "core/results/gradescope.hpp"
 #include "core/results/plain_text.hpp"
-#include "core/scene/read_file.hpp"
 #include "core/submission/child_process.hpp"
 #include "core/submission/compiler.hpp"
-#include "tests/hints/hints.hpp"
-#include "tests/runner.hpp"
-#include "tests/selection.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <mutex>
-#include <optional>
 #include <random>
+#include <sstream>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace raylab::cli {
@@ -40,112 +36,15 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Grade {
+  GradingOptions options;
   std::vector<std::string> folders;
-  std::string out;
-  std::string config;
-  std::string seed;
   std::string shard;
   unsigned jobs = 0;
-  bool unsafe = false;
   std::string gradescope;
   bool github = false;
-  std::string id;  ///< of `grade-one`
 };
 
 constexpr std::chrono::seconds most_time_of_one{1800};  // beyond any limit of its parts
-
-// ---- What all of it needs -------------------------------------------------------------------------------------------
-
-Grading checked(GradingFile file) {
-  for (const Diagnostic& diagnostic : file.diagnostics) std::cerr << to_string(diagnostic) << '\n';
-  if (!file.grading) throw Failure("the grading file has mistakes: they stand above", wrong_usage);
-  return std::move(*file.grading);
-}
-
-fs::path usual_config() { return data_folder("course/grading.toml"); }
-
-/// Has the solution an answer to each hidden test?
-void require_answers(const Grading& grading) {
-  for (std::size_t k = 0; k < grading.hidden.size(); ++k) try {
-      const HiddenTest& test = grading.hidden[k];
-      TaskCaller(solution_table(), task_info(test.task)).result(test.call);
-    } catch (const std::exception& error) {
-      throw Failure("the grading file's hidden_test[" + std::to_string(k) + "].call: " + error.what(), wrong_usage);
-    }
-}
-
-Grading grading_of(const std::string& config) {
-  Grading grading = checked(read_grading(usual_config(), {}));
-  if (!config.empty()) grading = checked(read_grading(config, grading));
-  require_answers(grading);
-  return grading;
-}
-
-/// All that decides a result.
-std::string inputs_of(const TakenFiles& files, const std::string& config, const std::string& seed) {
-  std::string all = std::string(RAYLAB_VERSION) + '\n' + seed + '\n' + file_hash(usual_config()) + '\n';
-  if (!config.empty()) all += file_hash(config) + '\n';
-  for (const auto& [stage, text] : files.texts)
-    all += std::to_string(stage) + ' ' + std::to_string(text.size()) + '\n' + text;
-  for (const auto& [stage, why] : files.refused) all += std::to_string(stage) + ' ' + why + '\n';
-  for (const std::string& note : files.notes) all += note + '\n';
-  return text_hash(all);
-}
-
-void require_safe(const Sandbox& sandbox, bool unsafe) {
-  if (sandbox.is_safe() || unsafe) return;
-  std::string text = "this machine cannot keep strangers' code from itself:\n";
-  for (const Protection& protection : sandbox.protections())
-    if (!protection.holds) text += "  not " + protection.name + ": " + protection.by + '\n';
-  throw Failure(text +
-                "Install bubblewrap, or see 'raylab doctor'; --unsafe grades all the same, and says so in the report");
-}
-
-// ---- One submission, in a process of its own ------------------------------------------------------------------------
-
-/// Lines as they are printed below a test's name, without the blanks before all of them.
-std::string without_indent(const std::string& text) {
-  std::istringstream lines(text);
-  std::string all;
-  for (std::string line; std::getline(lines, line);) all += line.substr(std::min(line.size(), test::failure_indent)) + '\n';
-  return all;
-}
-
-TestOutcome run_unit_tests(std::string_view task, const StageTable& table) {
-  std::ostringstream nowhere;
-  const auto no_images = [](const Scene&, const Settings&) -> std::unique_ptr<Engine> {
-    throw std::logic_error("a task's tests need no image");
-  };
-  const test::Totals totals = test::tell_tests(test::tests_of_submission(task), table, no_images, with_submission, nowhere);
-  TestOutcome outcome{static_cast<int>(totals.passed), {}};
-  for (std::size_t k = 0; k < totals.failures.size(); ++k)
-    outcome.failed.push_back({totals.failures[k], without_indent(totals.texts[k])});
-  return outcome;
-}
-
-WrongTask look_at(std::string_view task, const AskTask& ask, int level) {
-  const std::vector<test::Hint> hints = test::find_hints(solution_table(), ask, test::find_probes(solution_table(), {task}));
-  if (hints.empty()) return {};
-  return {level > 0 ? test::hints_text(hints, level) : "", hints.front().mistake};
-}
-
-void grade_one(const Grade& wanted) {
-  adopt_orphans();
-  const ClassFolder out(wanted.out, wanted.seed);
-  const Grading grading = grading_of(wanted.config);
-  const TakenFiles files = take_files(wanted.folders.front());
-  const Sandbox sandbox;
-  require_safe(sandbox, wanted.unsafe);
-  const GradingTools tools{sandbox, solution_table(), run_unit_tests, look_at};
-  const std::vector<View> views = grading_views(grading, wanted.seed, out.path() / "views");
-  SubmissionResult result = grade_submission(files, grading, views, tools, out.submission(wanted.id));
-  result.id = wanted.id;
-  result.inputs = inputs_of(files, wanted.config, wanted.seed);
-  end_children();
-  out.finish(result, processor_seconds());
-}
-
-// ---- A class --------------------------------------------------------------------------------------------------------
 
 std::string drawn_seed() {
   std::random_device device;
@@ -170,11 +69,11 @@ void run_one(const Grade& wanted, const Submitted& submitted, const ClassFolder&
                                    "--id",
                                    submitted.id,
                                    "--out",
-                                   wanted.out,
+                                   wanted.options.out,
                                    "--seed",
                                    out.seed()};
-  if (!wanted.config.empty()) command.insert(command.end(), {"--config", wanted.config});
-  if (wanted.unsafe) command.emplace_back("--unsafe");
+  if (!wanted.options.config.empty()) command.insert(command.end(), {"--config", wanted.options.config});
+  if (wanted.options.unsafe) command.emplace_back("--unsafe");
   const Finished finished = run_program(command, {most_time_of_one, std::size_t{16} << 10U});
   if (finished.good) return;
   SubmissionResult result = not_graded(grading, "raylab could not grade it: " + finished.output);
@@ -186,8 +85,7 @@ void run_one(const Grade& wanted, const Submitted& submitted, const ClassFolder&
 void run_all(const Grade& wanted, const std::vector<Submitted>& all, const ClassFolder& out, const Grading& grading) {
   std::vector<const Submitted*> rest;
   for (const Submitted& submitted : all)
-    if (!out.finished(submitted.id, inputs_of(take_files(submitted.folder), wanted.config, out.seed())))
-      rest.push_back(&submitted);
+    if (!out.finished(submitted.id, inputs_of(take_files(submitted.folder), wanted.options))) rest.push_back(&submitted);
   const std::size_t kept = all.size() - rest.size();
   if (kept > 0) std::cerr << "raylab: " << kept << " of " << all.size() << " submissions are graded already\n";
   std::atomic<std::size_t> next = 0, done = 0;
@@ -262,17 +160,17 @@ void tell_github(const SubmissionResult& result) {
 }
 
 ClassResults graded(Grade& wanted, std::vector<Submitted>& all) {
-  const Grading grading = grading_of(wanted.config);
-  if (wanted.seed.empty()) wanted.seed = ClassFolder::seed_of(wanted.out).value_or(drawn_seed());
-  all = wanted_shard(wanted, find_submissions(wanted.folders, wanted.seed));
+  const Grading grading = grading_of(wanted.options.config);
+  if (wanted.options.seed.empty()) wanted.options.seed = ClassFolder::seed_of(wanted.options.out).value_or(drawn_seed());
+  all = wanted_shard(wanted, find_submissions(wanted.folders, wanted.options.seed));
   const Sandbox sandbox;
-  require_safe(sandbox, wanted.unsafe);
-  const ClassFolder out(wanted.out, wanted.seed);
-  out.write_run(run_in(sandbox, wanted.unsafe));
+  require_safe(sandbox, wanted.options.unsafe);
+  const ClassFolder out(wanted.options.out, wanted.options.seed);
+  out.write_run(run_in(sandbox, wanted.options.unsafe));
   std::vector<RosterEntry> roster;
   for (const Submitted& submitted : all) roster.push_back({submitted.id, submitted.name});
   out.enroll(roster);
-  grading_views(grading, wanted.seed, out.path() / "views");
+  grading_views(grading, wanted.options.seed, out.path() / "views");
   StageCompiler({false, false, &sandbox}).prepare();
   run_all(wanted, all, out, grading);
   return write_reports(out);
@@ -293,35 +191,7 @@ void grade(Grade wanted) {
     write_gradescope(gradescope_failure(error.what()));
     throw;
   }
-  std::cout << (fs::path(wanted.out) / "index.html").string() << '\n';
-}
-
-struct Merge {
-  std::vector<std::string> folders;
-  std::string out;
-};
-
-void merge(const Merge& wanted) {
-  const std::optional<std::string> seed = ClassFolder::seed_of(wanted.folders.front());
-  if (!seed) throw Failure(wanted.folders.front() + ": was not written by 'raylab grade'", wrong_usage);
-  const ClassFolder out(wanted.out, *seed);
-  out.write_run(ClassFolder(wanted.folders.front(), *seed).run());
-  for (const std::string& folder : wanted.folders) {
-    const std::optional<std::string> own = ClassFolder::seed_of(folder);
-    if (!own) throw Failure(folder + ": was not written by 'raylab grade'", wrong_usage);
-    out.take_over(ClassFolder(folder, *own));
-  }
-  const ClassResults results = write_reports(out);
-  std::cout << results.submissions.size() << " submissions: " << (fs::path(wanted.out) / "index.html").string() << '\n';
-}
-
-void add_common(CLI::App& command, Grade& wanted) {
-  command.add_option("--out", wanted.out, "The folder for results and reports")->required()->type_name("OUT");
-  command.add_option("--config", wanted.config, "A grading.toml, in place of the usual one")
-      ->check(CLI::ExistingFile)
-      ->type_name("FILE");
-  command.add_option("--seed", wanted.seed, "Decides the hidden cameras and the ids; default: a new one")->type_name("TEXT");
-  command.add_flag("--unsafe", wanted.unsafe, "Grade even where this machine cannot keep strangers' code from itself");
+  std::cout << (fs::path(wanted.options.out) / "index.html").string() << '\n';
 }
 
 }  // namespace
@@ -330,7 +200,7 @@ void add_grade(CLI::App& app) {
   const auto wanted = std::make_shared<Grade>();
   CLI::App* command = app.add_subcommand("grade", "Grade submissions: one, or a folder of hundreds");
   command->add_option("DIR", wanted->folders, "A submission, or a folder of submissions")->required();
-  add_common(*command, *wanted);
+  add_grading_options(*command, wanted->options);
   command->add_option("--jobs", wanted->jobs, "How many to grade at a time; default: as many as there are cores")
       ->type_name("N");
   command
@@ -348,20 +218,6 @@ void add_grade(CLI::App& app) {
       "  raylab grade submissions/mia --out graded-mia --config grading.toml\n"
       "  raylab grade submissions --out part-1 --shard 1/4 --seed spring");
   command->callback([wanted] { grade(*wanted); });
-
-  const auto one = std::make_shared<Grade>();
-  CLI::App* inner = app.add_subcommand("grade-one", "What 'raylab grade' runs for each submission")->group("");
-  inner->add_option("DIR", one->folders)->required()->expected(1);
-  inner->add_option("--id", one->id)->required();
-  add_common(*inner, *one);
-  inner->callback([one] { grade_one(*one); });
-
-  const auto merged = std::make_shared<Merge>();
-  CLI::App* merger = app.add_subcommand("merge", "Make one class of what 'raylab grade --shard' has graded in parts");
-  merger->add_option("OUT", merged->folders, "Folders that were graded with the same seed")->required();
-  merger->add_option("--out", merged->out, "The folder for all of it")->required()->type_name("DIR");
-  merger->footer("Example:\n  raylab merge part-1 part-2 part-3 part-4 --out graded");
-  merger->callback([merged] { merge(*merged); });
 }
 
 }  // namespace raylab::cli

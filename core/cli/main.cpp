@@ -39,6 +39,8 @@ int main(int argc, char** argv) {
   add_handout(app);
 #ifdef RAYLAB_WITH_GRADE
   add_grade(app);
+  add_grade_one(app);
+  add_merge(app);
 #endif
   add_reference(app);
   add_doctor(app);
