@@ -6,6 +6,7 @@
 #include "core/results/roster.hpp"
 #include "core/scene/diagnostic.hpp"
 #include "core/scene/read_file.hpp"
+#include "core/submission/stage_files.hpp"
 #include "core/submission/taken_files.hpp"
 
 #include <algorithm>
@@ -62,7 +63,8 @@ std::vector<Submitted> find_submissions(const std::vector<std::string>& folders,
       if (entry.symlink_status().type() == fs::file_type::directory && !ClassFolder::seed_of(entry.path()))
         add(entry.path(), all);
     if (all.size() == before)
-      throw std::runtime_error(folder.string() + ": is no submission, and has no folders that could be one");
+      throw std::runtime_error(folder.string() + ": is no submission, which has files like " + stage_file(1) +
+                               ", and has no folders that could be one");
   }
   std::sort(all.begin(), all.end(), [](const Submitted& a, const Submitted& b) { return a.name < b.name; });
   std::set<std::string> ids;

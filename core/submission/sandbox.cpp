@@ -59,7 +59,8 @@ void let_others_read(const fs::path& path) {
 
 Sandbox::Sandbox() : room_(new_folder(fs::temp_directory_path())) {
   umask(S_IWGRP | S_IWOTH);
-  let_others_read(room_);
+  // Jobs may run as somebody else. Whoever does not know a name in it has no use of that.
+  fs::permissions(room_, fs::perms::group_exec | fs::perms::others_exec, fs::perm_options::add);
   const fs::path confine = program_part("raylab-confine");
   if (!fs::exists(confine)) {
     missing_.emplace_back("raylab-confine", "it is made for Linux alone");
