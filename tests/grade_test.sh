@@ -139,7 +139,7 @@ check 'no path of this machine in it' bash -c "! grep -rq '$source' lab"
 # Without namespaces, as in a container: the other layers hold.
 mkdir bin && for tool in as ld cp; do ln -s "$(command -v $tool)" bin; done
 mkdir rest
-for name in reads_passwd reads_proc reads_folders reads_environment opens_a_socket kills_everything daemon raw_clone fork_bomb \
+for name in reads_passwd reads_proc reads_folders reads_environment opens_a_socket kills_everything daemon reaches_others raw_clone fork_bomb \
   fills_the_disk memory_file incbin_passwd include_zero becomes_root; do
   cp -r "$class/$name" rest
 done
