@@ -30,6 +30,8 @@ expect() { # FOLDER LABEL VERDICT
 for file in "$source"/tests/submissions/hostile/*.cpp; do hostile "$file" "$(basename "$file" .cpp)"; done
 mkdir -p "$class"/{good,nothing,link,pipe,folder,huge,bytes,nasty-error}
 cp "$solution"/*.cpp "$class/good"
+mkdir "$class/seed" && cp "$solution/01_rays.cpp" "$class/seed" && echo x >"$class/seed/seed.txt"
+mkdir "$class/closed" && cp "$solution/01_rays.cpp" "$class/closed" && chmod 000 "$class/closed"  # but root may
 ln -s /etc/passwd "$class/link/01_rays.cpp"
 mkfifo "$class/pipe/01_rays.cpp"
 mkdir "$class/folder/01_rays.cpp"
@@ -51,6 +53,9 @@ done
 for name in link pipe folder huge; do expect $name 1.1 refused; done
 for name in bytes nasty-error; do expect $name 1.1 does_not_compile; done
 expect nothing 1.1 not_written
+expect seed 1.1 right
+[[ $(id -u) == 0 ]] || expect closed 1.1 refused
+chmod 700 "$class/closed"
 for label in 1.1 2.4 3.6 4.1 5.2 6.3 7.2; do expect good $label right; done
 check 'the good solution has all points' grep -q '"points":{"got":100.0,"most":100.0},"bonus":{"got":30.0,"most":30.0}' "$(result_of good)"
 check 'nothing went wrong on this side' bash -c "! grep -l infrastructure '$out'/submissions/*/result.json"
