@@ -61,6 +61,8 @@ check 'the good solution has all points' grep -q '"points":{"got":100.0,"most":1
 check 'nothing went wrong on this side' bash -c "! grep -l infrastructure '$out'/submissions/*/result.json"
 check 'no process is left' bash -c "! pgrep -f '[r]aylab-[a-z]* .*$folder'"
 check 'no file is left' test -z "$(ls -A tmp)"
+check 'no name of a temporary file in any result' bash -c "! grep -l '$folder/tmp' '$out'/submissions/*/result.json"
+check 'no result is long' test -z "$(find "$out/submissions" -name result.json -size +200k)"
 check 'results are private' test "$(stat -c %a "$out")" = 700
 check 'no escape sequence in any result' bash -c "! grep -lP '\\x1b' '$out'/results.json"
 
