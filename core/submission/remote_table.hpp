@@ -30,11 +30,11 @@ class RemoteTable {
   /// Only the newest RemoteTable answers.
   StageTable table() const;
 
-  /// The answer to a call, JSON.
+  /// The answer to a call, JSON: a value of what the task gives. Anything else ends the worker too.
   std::string ask(const TaskInfo& task, const std::string& arguments);
 
-  /// An answer that is no value of the task's type ends the worker too.
-  [[noreturn]] void refuse(const TaskInfo& task, const std::string& arguments, const std::string& why);
+  /// The next call has a new worker, which cannot know what was asked before.
+  void forget();
 
  private:
   [[noreturn]] void fail(const TaskInfo& task, const std::string& arguments, const NoAnswer& error);
