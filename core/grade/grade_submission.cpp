@@ -34,12 +34,12 @@ struct Fault {
 
 /// What a submission had a hand in, fit for every report: some lines of UTF-8 without control characters.
 std::string tamed(std::string_view text) {
-  constexpr std::size_t most_lines = 40, longest = 2000;
+  constexpr std::size_t most_lines = 40, longest = 2000, most_bytes = 8000;
   std::istringstream lines{std::string(text)};
   std::string tame;
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
-    if (count == most_lines) return tame + "...\n";
+    if (count == most_lines || tame.size() > most_bytes) return tame + "...\n";
     tame += printable(line.substr(0, longest)) + '\n';
   }
   while (tame.ends_with('\n')) tame.pop_back();

@@ -11,7 +11,9 @@ namespace raylab {
 namespace {
 
 constexpr std::chrono::seconds time_to_load{20};
-constexpr int most_asides = 30;  // each may take as long as the answer
+constexpr std::size_t longest_line = std::size_t{256} << 10U;  // in a sandbox; an answer has some thousand bytes
+constexpr std::size_t longest_text = 4000;                     // that is thrown
+constexpr int most_asides = 30;                                // each may take as long as the answer
 // In a sandbox: for as long as a worker lives, which is for the tests of a stage or for an image.
 constexpr std::int64_t processor_seconds = 300;
 
@@ -30,12 +32,12 @@ ChildSetup child_of(const WorkerSetup& setup) {
     job.command.insert(job.command.end(), {reachable(library.file), tasks});
   }
   if (!sandbox) return {job.command, setup.environment};
-  return {sandbox->command(job), {}, true, sandbox->passes_signals_as_codes()};
+  return {sandbox->command(job), {}, true, sandbox->passes_signals_as_codes(), longest_line};
 }
 
 std::string text_of(std::string_view json) {
   try {
-    return from_json<std::string>(json);
+    return from_json<std::string>(json).substr(0, longest_text);
   } catch (const InputError&) {
     return "gave an answer that is none";
   }
