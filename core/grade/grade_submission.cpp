@@ -194,7 +194,7 @@ class TaskJudge {
     return {};
   }
 
-  /// Whatever happens in one, the published part of the result tells nothing of it.
+  /// Whatever happens in one, the published part of the result tells nothing of it, and nor can what is asked later.
   void run_hidden_tests(const TaskInfo& task, TaskResult& result) {
     const std::optional<Fault> published = fault_;
     for (const HiddenTest& test : grading_.hidden) {
@@ -211,6 +211,7 @@ class TaskJudge {
       else
         result.hidden_failed.push_back({tamed(test.task + " " + test.call), tamed("expected " + wanted + "\ngot " + got)});
     }
+    if (result.hidden_passed > 0 || !result.hidden_failed.empty()) remote_.forget();
     fault_ = published;
   }
 
