@@ -133,6 +133,23 @@ out=$folder/edges
 expect fay 5.1 wrong
 check 'the page of the student tells nothing of a hidden test' bash -c "! grep -q '0.28' edges/submissions/$(id_of fay)/report.html"
 check 'results.json does' grep -q '0.28' edges/results.json
+
+# Nor can the submission tell it later, in what is published.
+mkdir edge/gus && sed '1i static bool seen = false;
+  s/^  return d - 2 \*/  seen = seen || d.x == 0.28;\n&/; s/{ return bounce/{ if (seen) throw 1; return bounce/' "$solution/05_reflections.cpp" >edge/gus/05_reflections.cpp
+run 0 grade edge --out edges --seed test --config hidden.toml
+expect gus 5.1 right
+expect gus 5.3 right
+
+# Time for a whole submission: what it has not answered by then is too slow.
+mkdir -p late && cp -r "$class/endless_constructor" late
+printf '[limits]\nsubmission = 1\n' >late.toml
+start=$SECONDS
+run 0 grade late --out lates --seed test --config late.toml
+check 'a submission has a time of its own' test $((SECONDS - start)) -lt 60
+out=$folder/lates
+expect endless_constructor 5.1 too_slow
+
 mkdir full && touch full/note
 run 1 grade small --out full
 says 'holds something else'

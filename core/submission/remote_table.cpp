@@ -77,8 +77,7 @@ std::string RemoteTable::ask(const TaskInfo& task, const std::string& arguments)
     if (listener_.answered) listener_.answered(task, arguments, answer);
     Clock::duration& spent = spent_[index_of(task)];
     spent += Clock::now() - start;
-    if (spent > most_full_calls * setup_.limits.call)
-      throw NoAnswer(Trouble::too_slow, "takes too long over its calls, all together");
+    if (spent > setup_.limits.all_calls()) throw NoAnswer(Trouble::too_slow, "takes too long over its calls, all together");
     return answer;
   } catch (const NoAnswer& error) {
     if (error.trouble != Trouble::threw) {

@@ -40,7 +40,6 @@ class RemoteTable {
   [[noreturn]] void fail(const TaskInfo& task, const std::string& arguments, const NoAnswer& error);
 
   static constexpr int most_losses = 3;
-  static constexpr int most_full_calls = 10;  // so many may take as long as a call may
 
   WorkerSetup setup_;
   CallListener listener_;

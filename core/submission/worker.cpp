@@ -49,10 +49,10 @@ Trouble trouble_of(const ChildEnded& end) {
 
 }  // namespace
 
-Worker::Worker(const WorkerSetup& setup) : process_(child_of(setup)) {
+Worker::Worker(const WorkerSetup& setup) : process_(child_of(setup)), end_(setup.limits.end) {
   std::string line;
   try {
-    line = process_.receive(Clock::now() + time_to_load);
+    line = process_.receive(std::min(Clock::now() + time_to_load, setup.limits.end));
   } catch (const ChildEnded& error) {
     throw NoAnswer(trouble_of(error), "the submission " + std::string(error.what()) +
                                           ", while it was loaded: before any task was called (a global variable?)");
@@ -76,8 +76,8 @@ std::string_view Worker::reply(std::string_view line) const {
 std::string Worker::ask(std::string_view request, std::chrono::milliseconds limit, const Aside& aside,
                         const std::atomic<bool>* cancel) {
   try {
-    process_.send(std::to_string(++asked_) + ' ' + std::string(request), Clock::now() + limit, cancel);
-    const auto last_deadline = Clock::now() + most_asides * limit;
+    process_.send(std::to_string(++asked_) + ' ' + std::string(request), std::min(Clock::now() + limit, end_), cancel);
+    const auto last_deadline = std::min(Clock::now() + most_asides * limit, end_);
     for (;;) {
       const std::string line = process_.receive(std::min(Clock::now() + limit, last_deadline), cancel);
       const auto [verb, rest] = first_word(reply(line));
