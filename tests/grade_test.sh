@@ -30,6 +30,8 @@ expect() { # FOLDER LABEL VERDICT
 for file in "$source"/tests/submissions/hostile/*.cpp; do hostile "$file" "$(basename "$file" .cpp)"; done
 mkdir -p "$class"/{good,nothing,link,pipe,folder,huge,bytes,nasty-error}
 cp "$solution"/*.cpp "$class/good"
+mkdir "$class/seed" && cp "$solution/01_rays.cpp" "$class/seed" && echo x >"$class/seed/seed.txt"
+mkdir "$class/closed" && cp "$solution/01_rays.cpp" "$class/closed" && chmod 000 "$class/closed"  # but root may
 ln -s /etc/passwd "$class/link/01_rays.cpp"
 mkfifo "$class/pipe/01_rays.cpp"
 mkdir "$class/folder/01_rays.cpp"
@@ -51,11 +53,16 @@ done
 for name in link pipe folder huge; do expect $name 1.1 refused; done
 for name in bytes nasty-error; do expect $name 1.1 does_not_compile; done
 expect nothing 1.1 not_written
+expect seed 1.1 right
+[[ $(id -u) == 0 ]] || expect closed 1.1 refused
+chmod 700 "$class/closed"
 for label in 1.1 2.4 3.6 4.1 5.2 6.3 7.2; do expect good $label right; done
 check 'the good solution has all points' grep -q '"points":{"got":100.0,"most":100.0},"bonus":{"got":30.0,"most":30.0}' "$(result_of good)"
 check 'nothing went wrong on this side' bash -c "! grep -l infrastructure '$out'/submissions/*/result.json"
 check 'no process is left' bash -c "! pgrep -f '[r]aylab-[a-z]* .*$folder'"
 check 'no file is left' test -z "$(ls -A tmp)"
+check 'no name of a temporary file in any result' bash -c "! grep -l '$folder/tmp' '$out'/submissions/*/result.json"
+check 'no result is long' test -z "$(find "$out/submissions" -name result.json -size +200k)"
 check 'results are private' test "$(stat -c %a "$out")" = 700
 check 'no escape sequence in any result' bash -c "! grep -lP '\\x1b' '$out'/results.json"
 
@@ -126,6 +133,23 @@ out=$folder/edges
 expect fay 5.1 wrong
 check 'the page of the student tells nothing of a hidden test' bash -c "! grep -q '0.28' edges/submissions/$(id_of fay)/report.html"
 check 'results.json does' grep -q '0.28' edges/results.json
+
+# Nor can the submission tell it later, in what is published.
+mkdir edge/gus && sed '1i static bool seen = false;
+  s/^  return d - 2 \*/  seen = seen || d.x == 0.28;\n&/; s/{ return bounce/{ if (seen) throw 1; return bounce/' "$solution/05_reflections.cpp" >edge/gus/05_reflections.cpp
+run 0 grade edge --out edges --seed test --config hidden.toml
+expect gus 5.1 right
+expect gus 5.3 right
+
+# Time for a whole submission: what it has not answered by then is too slow.
+mkdir -p late && cp -r "$class/endless_constructor" late
+printf '[limits]\nsubmission = 1\n' >late.toml
+start=$SECONDS
+run 0 grade late --out lates --seed test --config late.toml
+check 'a submission has a time of its own' test $((SECONDS - start)) -lt 60
+out=$folder/lates
+expect endless_constructor 5.1 too_slow
+
 mkdir full && touch full/note
 run 1 grade small --out full
 says 'holds something else'
@@ -139,7 +163,7 @@ check 'no path of this machine in it' bash -c "! grep -rq '$source' lab"
 # Without namespaces, as in a container: the other layers hold.
 mkdir bin && for tool in as ld cp; do ln -s "$(command -v $tool)" bin; done
 mkdir rest
-for name in reads_passwd reads_proc reads_folders reads_environment opens_a_socket kills_everything daemon raw_clone fork_bomb \
+for name in reads_passwd reads_proc reads_folders reads_environment opens_a_socket kills_everything daemon reaches_others raw_clone fork_bomb \
   fills_the_disk memory_file incbin_passwd include_zero becomes_root; do
   cp -r "$class/$name" rest
 done

@@ -44,7 +44,7 @@ struct Grade {
   bool github = false;
 };
 
-constexpr std::chrono::seconds most_time_of_one{1800};  // beyond any limit of its parts
+constexpr std::chrono::seconds time_beside_answers{1800};  // to compile a submission, and for all that raylab does
 
 std::string drawn_seed() {
   std::random_device device;
@@ -74,7 +74,8 @@ void run_one(const Grade& wanted, const Submitted& submitted, const ClassFolder&
                                    out.seed()};
   if (!wanted.options.config.empty()) command.insert(command.end(), {"--config", wanted.options.config});
   if (wanted.options.unsafe) command.emplace_back("--unsafe");
-  const Finished finished = run_program(command, {most_time_of_one, std::size_t{16} << 10U});
+  const std::chrono::seconds answers(static_cast<long>(grading.submission_seconds));
+  const Finished finished = run_program(command, {answers + time_beside_answers, std::size_t{16} << 10U});
   if (finished.good) return;
   SubmissionResult result = not_graded(grading, "raylab could not grade it: " + finished.output);
   result.id = submitted.id;

@@ -60,7 +60,8 @@ std::vector<Submitted> find_submissions(const std::vector<std::string>& folders,
     }
     const std::size_t before = all.size();
     for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.symlink_status().type() == fs::file_type::directory && !ClassFolder::seed_of(entry.path()))
+      if (entry.symlink_status().type() == fs::file_type::directory &&
+          (is_submission(entry.path()) || !ClassFolder::seed_of(entry.path())))
         add(entry.path(), all);
     if (all.size() == before)
       throw std::runtime_error(folder.string() + ": is no submission, which has files like " + stage_file(1) +

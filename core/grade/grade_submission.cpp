@@ -34,12 +34,12 @@ struct Fault {
 
 /// What a submission had a hand in, fit for every report: some lines of UTF-8 without control characters.
 std::string tamed(std::string_view text) {
-  constexpr std::size_t most_lines = 40, longest = 2000;
+  constexpr std::size_t most_lines = 40, longest = 2000, most_bytes = 8000;
   std::istringstream lines{std::string(text)};
   std::string tame;
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
-    if (count == most_lines) return tame + "...\n";
+    if (count == most_lines || tame.size() > most_bytes) return tame + "...\n";
     tame += printable(line.substr(0, longest)) + '\n';
   }
   while (tame.ends_with('\n')) tame.pop_back();
@@ -194,7 +194,7 @@ class TaskJudge {
     return {};
   }
 
-  /// Whatever happens in one, the published part of the result tells nothing of it.
+  /// Whatever happens in one, the published part of the result tells nothing of it, and nor can what is asked later.
   void run_hidden_tests(const TaskInfo& task, TaskResult& result) {
     const std::optional<Fault> published = fault_;
     for (const HiddenTest& test : grading_.hidden) {
@@ -211,6 +211,7 @@ class TaskJudge {
       else
         result.hidden_failed.push_back({tamed(test.task + " " + test.call), tamed("expected " + wanted + "\ngot " + got)});
     }
+    if (result.hidden_passed > 0 || !result.hidden_failed.empty()) remote_.forget();
     fault_ = published;
   }
 
@@ -226,11 +227,15 @@ class TaskJudge {
   /// The same calls again, in another process and the other order: is it a function of its inputs?
   void find_inconstancy() {
     std::optional<Worker> other;
+    Clock::time_point end;
     for (std::size_t k = answered_.size(); k-- > 0 && !fault_;) {
       const auto& [task, arguments, answer] = answered_[k];
       std::string again;
       try {
-        if (!other) other.emplace(setup_);
+        if (!other) {
+          other.emplace(setup_);
+          end = Clock::now() + setup_.limits.all_calls();
+        }
         again = other->ask("call " + std::string(task->label) + ' ' + arguments, setup_.limits.call);
       } catch (const std::runtime_error& error) {
         again = error.what();
@@ -240,6 +245,8 @@ class TaskJudge {
                        "it is no function of its inputs: asked the same twice, it answered " + tamed(answer) + " and " +
                            tamed(again) + " (a variable that is not set, or that outlives the call?)",
                        tamed(arguments)};
+      else if (Clock::now() > end)
+        fault_ = Fault{Verdict::too_slow, "it takes too long over its calls, all together, when it is asked again"};
     }
   }
 
@@ -337,8 +344,8 @@ class ImageJudge {
 
 // ---- Stages ---------------------------------------------------------------------------------------------------------
 
-WorkerSetup setup_for(int stage, const fs::path& library, bool with_earlier_stages, const Grading& grading,
-                      const GradingTools& tools) {
+WorkerSetup setup_for(int stage, const fs::path& library, bool with_earlier_stages, Clock::time_point end,
+                      const Grading& grading, const GradingTools& tools) {
   WorkerSetup setup;
   for (int other = 1; with_earlier_stages && other < stage; ++other)
     setup.libraries.push_back({solution_library(other), labels_of(other)});
@@ -346,14 +353,15 @@ WorkerSetup setup_for(int stage, const fs::path& library, bool with_earlier_stag
   setup.sandbox = &tools.sandbox;
   setup.with = with_submission;
   setup.limits.call = std::chrono::milliseconds(static_cast<long>(grading.call_seconds * 1000));
+  setup.limits.end = end;
   setup.limits.memory = std::int64_t{grading.megabytes} << 20U;
   return setup;
 }
 
-void judge(StageResult& stage, const fs::path& library, const Grading& grading, const std::vector<View>& views,
-           const GradingTools& tools, const fs::path& folder) {
-  const WorkerSetup alone = setup_for(stage.number, library, false, grading, tools);
-  const WorkerSetup whole = setup_for(stage.number, library, true, grading, tools);
+void judge(StageResult& stage, const fs::path& library, Clock::time_point end, const Grading& grading,
+           const std::vector<View>& views, const GradingTools& tools, const fs::path& folder) {
+  const WorkerSetup alone = setup_for(stage.number, library, false, end, grading, tools);
+  const WorkerSetup whole = setup_for(stage.number, library, true, end, grading, tools);
   TaskJudge tasks(alone, grading, tools);
   for (TaskResult& task : stage.tasks) tasks.judge(task);
   const ImageJudge images(whole, grading, tools, folder);
@@ -362,8 +370,9 @@ void judge(StageResult& stage, const fs::path& library, const Grading& grading, 
     if (view.stage == stage.number) images.judge(view, tasks.asker(), *image++);
 }
 
-StageResult graded_stage(int number, const TakenFiles& files, const StageCompiler& compiler, const Grading& grading,
-                         const std::vector<View>& views, const GradingTools& tools, const fs::path& folder) {
+StageResult graded_stage(int number, const TakenFiles& files, const StageCompiler& compiler, Clock::time_point end,
+                         const Grading& grading, const std::vector<View>& views, const GradingTools& tools,
+                         const fs::path& folder) {
   StageResult stage = blank_stage(number, grading, views);
   const std::string name = stage_file(number);
   if (const auto refused = files.refused.find(number); refused != files.refused.end()) {
@@ -376,7 +385,7 @@ StageResult graded_stage(int number, const TakenFiles& files, const StageCompile
     try {
       const StageCompiler::Built built = compiler.build_text(number, text->second, name);
       stage.compiler = tamed(built.warnings);
-      judge(stage, built.library, grading, views, tools, folder);
+      judge(stage, built.library, end, grading, views, tools, folder);
     } catch (const DoesNotCompile& error) {
       stage.compiler = tamed(error.what());
       put({Verdict::does_not_compile, "the compiler does not take " + name}, stage);
@@ -399,8 +408,10 @@ SubmissionResult grade_submission(const TakenFiles& files, const Grading& gradin
   SubmissionResult result;
   for (const std::string& note : files.notes) result.notes.push_back(tamed(note));
   const StageCompiler compiler({false, false, &tools.sandbox});
+  const Clock::time_point end =
+      Clock::now() + std::chrono::ceil<Clock::duration>(std::chrono::duration<double>(grading.submission_seconds));
   for (const StageInfo& stage : stage_list())
-    add(graded_stage(stage.number, files, compiler, grading, views, tools, folder), result);
+    add(graded_stage(stage.number, files, compiler, end, grading, views, tools, folder), result);
   return result;
 }
 

@@ -23,6 +23,7 @@ constexpr std::array share_rules{must_be_finite, Rule{[](double x) { return x >=
 void read_limits(Section& section, Grading& grading) {
   section.number("call", Need::optional, grading.call_seconds, seconds_rules);
   section.number("image", Need::optional, grading.image_seconds, seconds_rules);
+  section.number("submission", Need::optional, grading.submission_seconds, seconds_rules);
   section.whole("memory", Need::optional, grading.megabytes, 64, 1 << 20);
   section.finish();
 }

@@ -31,6 +31,7 @@ struct HiddenTest {
 struct Grading {
   double call_seconds = 2;
   double image_seconds = 30;
+  double submission_seconds = 900;  ///< what is asked of a submission later is too slow
   int megabytes = 1024;
   int hint = 0;                      ///< level, 0 to 3
   double none_at = 0.3;              ///< share of pixels outside with which an image earns nothing

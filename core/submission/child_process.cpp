@@ -25,8 +25,6 @@ extern char** environ;
 namespace raylab {
 namespace {
 
-constexpr std::size_t longest_line = std::size_t{64} << 20U;
-
 [[noreturn]] void fail(const std::string& what, int error) { throw std::runtime_error(what + ": " + std::strerror(error)); }
 
 /// A descriptor beyond those that a child is given, closed when another program starts.
@@ -129,7 +127,8 @@ ChildEnded ending(int status, bool codes_are_signals) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const ChildSetup& setup) : codes_are_signals_(setup.codes_are_signals) {
+ChildProcess::ChildProcess(const ChildSetup& setup)
+    : codes_are_signals_(setup.codes_are_signals), longest_line_(setup.longest_line) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) fail("no line to a child process", errno);
   channel_ = moved_up(ends[0]);
@@ -205,7 +204,7 @@ std::string ChildProcess::receive(Clock::time_point deadline, const std::atomic<
       return line;
     }
     searched = received_.size();
-    if (searched > longest_line) throw ChildFloods("gave an answer without end");
+    if (searched > longest_line_) throw ChildFloods("gave an answer without end");
     wait_for(POLLIN, deadline, cancel);
     std::array<char, 65536> buffer;
     const ssize_t got = recv(channel_, buffer.data(), buffer.size(), MSG_DONTWAIT);

@@ -35,6 +35,7 @@ struct ChildSetup {
   std::vector<std::string> environment = {};  ///< "NAME=VALUE", in addition to this program's own, or in its place
   bool silent = false;             ///< is what it prints dropped? If not, it goes to this program's standard error
   bool codes_are_signals = false;  ///< does the exit code 128 + N mean signal N, as behind another program?
+  std::size_t longest_line = std::size_t{64} << 20U;  ///< that it may send, in bytes
 };
 
 /// A program in a process group of its own, with a line to it in both directions on descriptor `worker_channel`. It ends,
@@ -60,6 +61,7 @@ class ChildProcess {
   pid_t pid_ = -1;
   int channel_ = -1;
   bool codes_are_signals_;
+  std::size_t longest_line_;
   std::string received_;
 };
 

@@ -115,6 +115,15 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
+/// Without the names of temporary files, which are others each time.
+std::string without_files_in(const fs::path& folder, std::string text) {
+  for (std::size_t at = text.find(folder.string()); at != std::string::npos; at = text.find(folder.string(), at)) {
+    const std::size_t end = std::min(text.find_first_of(" :;,'\")\n", at), text.size());
+    text.replace(at, end - at, "(a file)");
+  }
+  return text;
+}
+
 void write_text(const fs::path& path, const std::string& text) {
   write_file(path, [&](std::ostream& stream) { stream << text; });
 }
@@ -261,7 +270,7 @@ Finished StageCompiler::compile(std::vector<std::string> arguments, const fs::pa
   const bool good = finished.good && fs::is_regular_file(fs::symlink_status(made));
   if (good) fs::copy_file(made, library, fs::copy_options::overwrite_existing);
   fs::remove_all(folder);
-  return {good, finished.output};
+  return {good, without_files_in(sandbox->room(), finished.output)};
 }
 
 std::vector<std::string> StageCompiler::worker_environment() const {

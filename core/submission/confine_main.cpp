@@ -9,6 +9,7 @@
 #include <grp.h>
 #include <linux/landlock.h>
 #include <linux/seccomp.h>
+#include <linux/sockios.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -70,9 +71,17 @@ void set_limits(const Confinement& wanted) {
 
 constexpr std::uint64_t read_rights =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
+constexpr std::uint64_t truncate_right = std::uint64_t{1} << 14U;  // LANDLOCK_ACCESS_FS_TRUNCATE, which old headers lack
 constexpr std::uint64_t file_rights =
-    LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE;
-constexpr std::uint64_t all_rights = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1U) - 1U;  // those of the first version: enough
+    LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE | truncate_right;
+constexpr std::uint64_t first_rights = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1U) - 1U;
+
+/// Those that this kernel knows, of all that change files.
+std::uint64_t known_rights() {
+  constexpr long first_with_truncate = 3;
+  const long version = syscall(SYS_landlock_create_ruleset, nullptr, 0U, LANDLOCK_CREATE_RULESET_VERSION);
+  return version >= first_with_truncate ? first_rights | truncate_right : first_rights;
+}
 
 void allow(int rules, const std::string& path, std::uint64_t rights) {
   const int place = open(path.c_str(), O_PATH | O_CLOEXEC);
@@ -87,6 +96,7 @@ void allow(int rules, const std::string& path, std::uint64_t rights) {
 }
 
 void hide_files(const Confinement& wanted) {
+  const std::uint64_t all_rights = known_rights();
   landlock_ruleset_attr attributes{};
   attributes.handled_access_fs = all_rights;
   const auto rules = static_cast<int>(syscall(SYS_landlock_create_ruleset, &attributes, sizeof attributes, 0U));
@@ -169,11 +179,22 @@ const std::vector<const char*> forbidden_calls{"socket",
                                                "setrlimit",
                                                "sched_setaffinity",
                                                "setpriority",
-                                               "ioprio_set"};
+                                               "ioprio_set",
+                                               "sched_setscheduler",
+                                               "sched_setparam",
+                                               "sched_setattr",
+                                               "migrate_pages",
+                                               "move_pages",
+                                               "process_mrelease"};
 
 /// What only somebody does who wants to be more than one process, or to outlive this one. (To become another program stays
 /// allowed, as it must until this one has become the worker: that one is as confined.)
 const std::vector<const char*> forbidden_alone{"fork", "vfork", "setsid", "setpgid", "tkill"};
+
+/// What changes files that it need not open, which Landlock cannot forbid. (A linker does some of it to its own.)
+const std::vector<const char*> forbidden_changes{
+    "truncate",  "chmod",     "fchmodat", "fchmodat2", "chown",       "lchown",       "fchownat", "utime", "utimes",
+    "futimesat", "utimensat", "setxattr", "lsetxattr", "removexattr", "lremovexattr", "link",     "linkat"};
 
 class Filter {
  public:
@@ -205,12 +226,21 @@ class Filter {
 void forbid_calls(const Confinement& wanted) {
   Filter filter;
   for (const char* const name : forbidden_calls) filter.forbid(name);
+  filter.forbid("prlimit64", {SCMP_A0(SCMP_CMP_NE, 0)});
   if (wanted.alone) {
     const auto own = static_cast<scmp_datum_t>(getpid());
     for (const char* const name : forbidden_alone) filter.forbid(name);
     filter.forbid("clone", {{0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0}});
     filter.forbid("clone3", {}, ENOSYS);  // its flags are in memory; with this answer the C library takes clone
-    for (const char* const name : {"kill", "tgkill"}) filter.forbid(name, {{0, SCMP_CMP_NE, own, 0}});
+    for (const char* const name : {"kill", "tgkill", "rt_sigqueueinfo", "rt_tgsigqueueinfo"})
+      filter.forbid(name, {{0, SCMP_CMP_NE, own, 0}});
+    for (const char* const name : forbidden_changes) filter.forbid(name);
+    // Who is signaled when a descriptor becomes ready. The kernel looks at half of the argument, and so does this.
+    constexpr scmp_datum_t half = 0xffffffff;
+    for (const int command : {F_SETOWN, F_SETOWN_EX, F_SETSIG})
+      filter.forbid("fcntl", {{1, SCMP_CMP_MASKED_EQ, half, static_cast<scmp_datum_t>(command)}});
+    for (const int command : {FIOSETOWN, SIOCSPGRP})
+      filter.forbid("ioctl", {{1, SCMP_CMP_MASKED_EQ, half, static_cast<scmp_datum_t>(command)}});
   }
   filter.start();
 }

@@ -24,14 +24,21 @@ struct ToWorker {
     static const std::vector<std::string> names = parameter_names(task);
     if (!newest) throw std::logic_error("the submission of this table is gone");
     const std::string asked = arguments_json(names, arguments...);
-    const std::string answer = newest->ask(task, asked);
-    try {
-      return from_json<ResultOf<member>>(answer);
-    } catch (const InputError& error) {
-      newest->refuse(task, asked, error.what());
-    }
+    return from_json<ResultOf<member>>(newest->ask(task, asked));
   }
 };
+
+/// Throws NoAnswer unless it is a value of what the task gives.
+void require_value(const TaskInfo& task, const std::string& answer) {
+  try {
+#define RAYLAB_READ(title, function, summary, example) \
+  if (task.label == title) from_json<ResultOf<&StageTable::function>>(answer);
+    RAYLAB_TASKS(RAYLAB_READ)
+#undef RAYLAB_READ
+  } catch (const InputError& error) {
+    throw NoAnswer(Trouble::no_value, "gave an answer that is none: " + printable(error.what()));
+  }
+}
 
 std::size_t index_of(const TaskInfo& task) { return static_cast<std::size_t>(&task_info(task.label) - task_list().data()); }
 
@@ -66,11 +73,11 @@ std::string RemoteTable::ask(const TaskInfo& task, const std::string& arguments)
   const auto start = Clock::now();
   try {
     std::string answer = worker_->ask("call " + std::string(task.label) + ' ' + arguments, setup_.limits.call);
+    require_value(task, answer);
     if (listener_.answered) listener_.answered(task, arguments, answer);
     Clock::duration& spent = spent_[index_of(task)];
     spent += Clock::now() - start;
-    if (spent > most_full_calls * setup_.limits.call)
-      throw NoAnswer(Trouble::too_slow, "takes too long over its calls, all together");
+    if (spent > setup_.limits.all_calls()) throw NoAnswer(Trouble::too_slow, "takes too long over its calls, all together");
     return answer;
   } catch (const NoAnswer& error) {
     if (error.trouble != Trouble::threw) {
@@ -81,11 +88,7 @@ std::string RemoteTable::ask(const TaskInfo& task, const std::string& arguments)
   }
 }
 
-void RemoteTable::refuse(const TaskInfo& task, const std::string& arguments, const std::string& why) {
-  ++losses_[index_of(task)];
-  worker_.reset();
-  fail(task, arguments, {Trouble::no_value, "gave an answer that is none: " + printable(why)});
-}
+void RemoteTable::forget() { worker_.reset(); }
 
 void RemoteTable::fail(const TaskInfo& task, const std::string& arguments, const NoAnswer& error) {
   NoAnswer full(error.trouble, title(task) + ' ' + error.what() + ". " + repeated_call(setup_, task.label, arguments));

@@ -30,17 +30,16 @@ class RemoteTable {
   /// Only the newest RemoteTable answers.
   StageTable table() const;
 
-  /// The answer to a call, JSON.
+  /// The answer to a call, JSON: a value of what the task gives. Anything else ends the worker too.
   std::string ask(const TaskInfo& task, const std::string& arguments);
 
-  /// An answer that is no value of the task's type ends the worker too.
-  [[noreturn]] void refuse(const TaskInfo& task, const std::string& arguments, const std::string& why);
+  /// The next call has a new worker, which cannot know what was asked before.
+  void forget();
 
  private:
   [[noreturn]] void fail(const TaskInfo& task, const std::string& arguments, const NoAnswer& error);
 
   static constexpr int most_losses = 3;
-  static constexpr int most_full_calls = 10;  // so many may take as long as a call may
 
   WorkerSetup setup_;
   CallListener listener_;

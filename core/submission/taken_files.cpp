@@ -64,7 +64,8 @@ std::string content(const Descriptor& file) {
 fs::path real_folder(const fs::path& folder, std::vector<std::string>& notes) {
   if (is_submission(folder)) return folder;
   std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(folder))
+  std::error_code ignored;  // one that cannot be read is told of where it is opened
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.symlink_status().type() == fs::file_type::directory && is_submission(entry.path()))
       found.push_back(entry.path());
   if (found.size() != 1) return folder;
@@ -75,8 +76,9 @@ fs::path real_folder(const fs::path& folder, std::vector<std::string>& notes) {
 }  // namespace
 
 bool is_submission(const fs::path& folder) {
+  std::error_code ignored;
   for (const StageInfo& stage : stage_list())
-    if (fs::symlink_status(folder / stage_file(stage.number)).type() != fs::file_type::not_found) return true;
+    if (fs::symlink_status(folder / stage_file(stage.number), ignored).type() != fs::file_type::not_found) return true;
   return false;
 }
 
@@ -84,7 +86,11 @@ TakenFiles take_files(const fs::path& given) {
   TakenFiles taken;
   const fs::path folder = real_folder(given, taken.notes);
   const Descriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened.get() < 0) throw std::runtime_error(given.string() + ": " + std::strerror(errno));
+  if (opened.get() < 0) {
+    taken.notes.push_back(std::string("its folder cannot be read: ") + std::strerror(errno));
+    for (const StageInfo& stage : stage_list()) taken.refused[stage.number] = taken.notes.back();
+    return taken;
+  }
   for (const StageInfo& stage : stage_list()) {
     const std::string name = stage_file(stage.number);
     const Descriptor file(openat(opened.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));

@@ -15,10 +15,11 @@ struct TakenFiles {
 };
 
 /// Reads a submission's folder, without following a link in it, or waiting for a pipe. If it has none of the files and one
-/// subfolder has, that is taken, as archives often have one. Throws std::runtime_error if the folder cannot be read.
+/// subfolder has, that is taken, as archives often have one. Of a folder that cannot be
+/// read all files are refused.
 TakenFiles take_files(const std::filesystem::path& folder);
 
-/// Has the folder something that is called like a stage's file?
+/// Has the folder something that is called like a stage's file, or keeps it to itself?
 bool is_submission(const std::filesystem::path& folder);
 
 }  // namespace raylab

@@ -11,7 +11,9 @@ namespace raylab {
 namespace {
 
 constexpr std::chrono::seconds time_to_load{20};
-constexpr int most_asides = 30;  // each may take as long as the answer
+constexpr std::size_t longest_line = std::size_t{256} << 10U;  // in a sandbox; an answer has some thousand bytes
+constexpr std::size_t longest_text = 4000;                     // that is thrown
+constexpr int most_asides = 30;                                // each may take as long as the answer
 // In a sandbox: for as long as a worker lives, which is for the tests of a stage or for an image.
 constexpr std::int64_t processor_seconds = 300;
 
@@ -30,12 +32,12 @@ ChildSetup child_of(const WorkerSetup& setup) {
     job.command.insert(job.command.end(), {reachable(library.file), tasks});
   }
   if (!sandbox) return {job.command, setup.environment};
-  return {sandbox->command(job), {}, true, sandbox->passes_signals_as_codes()};
+  return {sandbox->command(job), {}, true, sandbox->passes_signals_as_codes(), longest_line};
 }
 
 std::string text_of(std::string_view json) {
   try {
-    return from_json<std::string>(json);
+    return from_json<std::string>(json).substr(0, longest_text);
   } catch (const InputError&) {
     return "gave an answer that is none";
   }
@@ -47,10 +49,10 @@ Trouble trouble_of(const ChildEnded& end) {
 
 }  // namespace
 
-Worker::Worker(const WorkerSetup& setup) : process_(child_of(setup)) {
+Worker::Worker(const WorkerSetup& setup) : process_(child_of(setup)), end_(setup.limits.end) {
   std::string line;
   try {
-    line = process_.receive(Clock::now() + time_to_load);
+    line = process_.receive(std::min(Clock::now() + time_to_load, setup.limits.end));
   } catch (const ChildEnded& error) {
     throw NoAnswer(trouble_of(error), "the submission " + std::string(error.what()) +
                                           ", while it was loaded: before any task was called (a global variable?)");
@@ -74,8 +76,8 @@ std::string_view Worker::reply(std::string_view line) const {
 std::string Worker::ask(std::string_view request, std::chrono::milliseconds limit, const Aside& aside,
                         const std::atomic<bool>* cancel) {
   try {
-    process_.send(std::to_string(++asked_) + ' ' + std::string(request), Clock::now() + limit, cancel);
-    const auto last_deadline = Clock::now() + most_asides * limit;
+    process_.send(std::to_string(++asked_) + ' ' + std::string(request), std::min(Clock::now() + limit, end_), cancel);
+    const auto last_deadline = std::min(Clock::now() + most_asides * limit, end_);
     for (;;) {
       const std::string line = process_.receive(std::min(Clock::now() + limit, last_deadline), cancel);
       const auto [verb, rest] = first_word(reply(line));

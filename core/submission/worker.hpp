@@ -24,8 +24,12 @@ struct StageLibrary {
 
 /// What a worker may use.
 struct WorkerLimits {
-  std::chrono::milliseconds call{2000};          ///< of time, for a single call
-  std::int64_t memory = std::int64_t{1} << 30U;  ///< bytes; without a sandbox 4 GiB
+  std::chrono::milliseconds call{2000};              ///< of time, for a single call
+  std::int64_t memory = std::int64_t{1} << 30U;      ///< bytes; without a sandbox 4 GiB
+  Clock::time_point end = Clock::time_point::max();  ///< nothing is waited for any longer
+
+  /// Of time, for all calls of a task together: ten may take as long as a call may.
+  std::chrono::milliseconds all_calls() const { return 10 * call; }
 };
 
 /// What a worker runs: libraries, of which a later one wins over an earlier one. A task that is not written in a later one
@@ -66,6 +70,7 @@ class Worker {
   std::string_view reply(std::string_view line) const;
 
   ChildProcess process_;
+  const Clock::time_point end_;
   std::uint64_t asked_ = 0;  ///< how often: the number of the last request
 };
 

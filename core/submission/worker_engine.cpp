@@ -70,9 +70,17 @@ class WorkerEngine final : public Engine {
 
   void note(std::string_view verb, std::string_view rest) const {
     if (verb != "stands-in") return;
+    const std::string what = text_in(rest);
     const std::lock_guard lock(mutex_);
-    const auto what = from_json<std::string>(rest);
     if (noted_.insert(what).second) stands_in_(what);
+  }
+
+  static std::string text_in(std::string_view json) {
+    try {
+      return from_json<std::string>(json);
+    } catch (const InputError&) {
+      throw NoAnswer(Trouble::no_value, "sent something that is no answer");
+    }
   }
 
   void trace_row(Worker& worker, int row, std::span<Color> pixels, RayCounts& counts,
@@ -81,7 +89,6 @@ class WorkerEngine final : public Engine {
       const std::size_t some = std::min<std::size_t>(pixels_at_once, pixels.size() - done);
       const TraceMessage wanted{row, static_cast<int>(done), static_cast<int>(some)};
       const TraceAnswer answer = traced(worker, wanted, cancel);
-      if (answer.pixels.size() != some) throw std::runtime_error("the worker's answer has another number of pixels");
       std::copy(answer.pixels.begin(), answer.pixels.end(), pixels.begin() + static_cast<std::ptrdiff_t>(done));
       counts += answer.rays;
     }
@@ -91,7 +98,9 @@ class WorkerEngine final : public Engine {
     const std::string request = "trace " + to_json(wanted);
     try {
       const auto aside = [this](auto verb, auto rest) { note(verb, rest); };
-      return from_json<TraceAnswer>(worker.ask(request, limit_, aside, &cancel));
+      auto answer = from_json<TraceAnswer>(worker.ask(request, limit_, aside, &cancel));
+      if (answer.pixels.size() != static_cast<std::size_t>(wanted.pixels)) throw InputError("another number of pixels");
+      return answer;
     } catch (const NoAnswer& error) {
       fail_in_call(wanted, error, cancel);
     } catch (const InputError& error) {

@@ -182,7 +182,11 @@ class Service {
 
 StageTable load(const std::string& file) {
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!library) throw std::runtime_error(dlerror());
+  if (!library) {
+    const std::string why = dlerror(), before = file + ": ";
+    throw std::runtime_error(why.starts_with(before) ? why.substr(before.size())
+                                                     : why);  // the file has another name each time
+  }
   using Export = const ExportedTasks* (*)();
   const auto exported = reinterpret_cast<Export>(dlsym(library, "raylab_tasks_submission"));
   if (!exported) throw std::runtime_error(file + ": is no stage");
