@@ -226,7 +226,7 @@ class Filter {
 void forbid_calls(const Confinement& wanted) {
   Filter filter;
   for (const char* const name : forbidden_calls) filter.forbid(name);
-  filter.forbid("prlimit64", {SCMP_A0(SCMP_CMP_NE, 0)});
+  filter.forbid("prlimit64", {{0, SCMP_CMP_NE, 0, 0}});
   if (wanted.alone) {
     const auto own = static_cast<scmp_datum_t>(getpid());
     for (const char* const name : forbidden_alone) filter.forbid(name);
