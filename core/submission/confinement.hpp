@@ -23,7 +23,7 @@ struct Confinement {
   std::vector<std::string> readable;  ///< and executable
   std::vector<std::string> writable;
   bool calls = false;  ///< by seccomp: no sockets, no other process's memory, no shared memory, no namespaces, no mounts
-  bool alone = false;  ///< with `calls`: nor other processes, which it can neither start nor signal. Threads it can
+  bool alone = false;  ///< with `calls`: nor other processes or threads, which it can neither start nor signal
 };
 RAYLAB_FIELDS(Confinement,
               RAYLAB_OPTIONAL_FIELD(uid) RAYLAB_OPTIONAL_FIELD(environment) RAYLAB_OPTIONAL_FIELD(limits)
