@@ -90,6 +90,7 @@ void run_all(const Grade& wanted, const std::vector<Submitted>& all, const Class
   const std::size_t kept = all.size() - rest.size();
   if (kept > 0) std::cerr << "raylab: " << kept << " of " << all.size() << " submissions are graded already\n";
   std::atomic<std::size_t> next = 0, done = 0;
+  std::atomic<unsigned> running = thread_count(wanted.jobs);
   std::mutex mutex;
   std::exception_ptr error;
   const std::atomic<bool>& stop = interrupt_flag();
@@ -104,12 +105,13 @@ void run_all(const Grade& wanted, const std::vector<Submitted>& all, const Class
       }
       ++done;
     }
+    --running;
   };
   std::vector<std::thread> threads;
-  for (unsigned k = 0; k < thread_count(wanted.jobs); ++k) threads.emplace_back(work);
+  for (unsigned k = running; k > 0; --k) threads.emplace_back(work);
   {
     ProgressBar bar("grading");
-    while (done < rest.size() && !stop && next < rest.size() + threads.size()) {
+    while (running > 0) {
       bar.show(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rest.size())),
                "graded " + std::to_string(kept + done) + " of " + std::to_string(all.size()));
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
