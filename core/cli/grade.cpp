@@ -26,6 +26,7 @@
 #include <mutex>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -125,16 +126,6 @@ void run_all(const Grade& wanted, const std::vector<Submitted>& all, const Class
                   interrupted);
 }
 
-void print_marks(const std::vector<Submitted>& all, const ClassResults& results) {
-  constexpr std::size_t most_lines = 50;
-  for (std::size_t k = 0; k < std::min(all.size(), most_lines); ++k)
-    for (const SubmissionResult& result : results.submissions)
-      if (result.id == all[k].id)
-        std::cout << plain_line(all[k].name) << ": " << points_text(counted_points(result)) << ", bonus "
-                  << points_text(counted_bonus(result)) << (needs_new_run(result) ? ", to be graded again" : "") << '\n';
-  if (all.size() > most_lines) std::cout << "and " << all.size() - most_lines << " more\n";
-}
-
 ClassRun run_in(const Sandbox& sandbox, bool unsafe) {
   ClassRun run{RAYLAB_VERSION, unsafe && !sandbox.is_safe(), {}};
   for (const Protection& protection : sandbox.protections())
@@ -142,14 +133,26 @@ ClassRun run_in(const Sandbox& sandbox, bool unsafe) {
   return run;
 }
 
-/// The one submission of a run that says it to somebody else.
-const SubmissionResult& only(const ClassResults& results, const std::vector<Submitted>& all) {
-  const auto found = std::find_if(results.submissions.begin(), results.submissions.end(),
-                                  [&](const SubmissionResult& result) { return result.id == all.front().id; });
-  if (all.size() != 1 || found == results.submissions.end())
+void require_one(const Grade& wanted, const std::vector<Submitted>& all) {
+  if (all.size() != 1 && (wanted.github || !wanted.gradescope.empty()))
     throw Failure("--gradescope and --github are for one submission, and these are " + std::to_string(all.size()),
                   wrong_usage);
-  return *found;
+}
+
+const SubmissionResult& result_of(const Submitted& submitted, const ClassResults& results) {
+  for (const SubmissionResult& result : results.submissions)
+    if (result.id == submitted.id) return result;
+  throw std::logic_error("a submission has no result");
+}
+
+void print_marks(const std::vector<Submitted>& all, const ClassResults& results) {
+  constexpr std::size_t most_lines = 50;
+  for (std::size_t k = 0; k < std::min(all.size(), most_lines); ++k) {
+    const SubmissionResult& result = result_of(all[k], results);
+    std::cout << plain_line(all[k].name) << ": " << points_text(counted_points(result)) << ", bonus "
+              << points_text(counted_bonus(result)) << (needs_new_run(result) ? ", to be graded again" : "") << '\n';
+  }
+  if (all.size() > most_lines) std::cout << "and " << all.size() - most_lines << " more\n";
 }
 
 /// Adds to the file that GitHub shows as the step's summary, and prints what it shows beside the lines.
@@ -166,6 +169,7 @@ ClassResults graded(Grade& wanted, std::vector<Submitted>& all) {
   const Grading grading = grading_of(wanted.options.config);
   if (wanted.options.seed.empty()) wanted.options.seed = ClassFolder::seed_of(wanted.options.out).value_or(drawn_seed());
   all = wanted_shard(wanted, find_submissions(wanted.folders, wanted.options.seed));
+  require_one(wanted, all);
   const Sandbox sandbox;
   require_safe(sandbox, wanted.options.unsafe);
   const ClassFolder out(wanted.options.out, wanted.options.seed);
@@ -181,15 +185,15 @@ ClassResults graded(Grade& wanted, std::vector<Submitted>& all) {
 
 void grade(Grade wanted) {
   const auto write_gradescope = [&](const std::string& json) {
-    if (!wanted.gradescope.empty()) write_file(wanted.gradescope, [&](std::ostream& stream) { stream << json; });
+    if (!wanted.gradescope.empty()) write_file(wanted.gradescope, json);
   };
   write_gradescope(gradescope_failure("raylab did not come to an end; ask your instructor to run it again"));
   std::vector<Submitted> all;
   try {
     const ClassResults results = graded(wanted, all);
     print_marks(all, results);
-    if (!wanted.gradescope.empty()) write_gradescope(gradescope_json(only(results, all)));
-    if (wanted.github) tell_github(only(results, all));
+    if (!wanted.gradescope.empty()) write_gradescope(gradescope_json(result_of(all.front(), results)));
+    if (wanted.github) tell_github(result_of(all.front(), results));
   } catch (const std::exception& error) {
     write_gradescope(gradescope_failure(error.what()));
     throw;

@@ -6,20 +6,25 @@
 #include "core/cli/render_reference.hpp"
 #include "core/image/data_folder.hpp"
 #include "core/image/file_hash.hpp"
+#include "core/image/partial_file.hpp"
 #include "core/image/reference_file.hpp"
 #include "core/references/manifest.hpp"
 #include "core/render/render.hpp"
 #include "core/render/stage_table.hpp"
+#include "core/scene/read_file.hpp"
 #include "reference/engine/engine.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 namespace raylab::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t most_bytes = 4096;  // of a camera
 
 /// Known scenes, and where their references lie.
 class Known {
@@ -65,27 +70,37 @@ double share_of_stage(const Scene& scene, int stage, ImageSize size) {
 }
 
 /// Draws cameras until one shows what its stage is about, at least half as well as the scene's own.
-View drawn_view(const Known& known, int stage, const std::string& name, ImageSize size, const std::string& seed) {
+Camera found_camera(const Scene& own, int stage, const std::string& name, ImageSize size, const std::string& key) {
   constexpr int most_tries = 100;
-  View view{stage, name, true, known.load(known.scene(name)), {}};
-  const Scene own = view.scene;
   const double wanted = share_of_stage(own, stage, size) / 2;
-  if (wanted == 0)
-    throw Failure("grading.toml: the scene '" + name + "' shows nothing of stage " + std::to_string(stage), wrong_usage);
-  const std::string digits = text_hash(seed + " " + std::to_string(stage) + " " + name).substr(0, 16);
-  std::mt19937_64 random(std::stoull(digits, nullptr, 16));
+  const std::string what = "grading.toml: the scene '" + name + "' ", which = "stage " + std::to_string(stage);
+  if (wanted == 0) throw Failure(what + "shows nothing of " + which, wrong_usage);
+  std::mt19937_64 random(std::stoull(key.substr(0, 16), nullptr, 16));
+  Scene scene = own;
   for (int k = 0; k < most_tries; ++k) {
-    view.scene.camera = drawn_camera(own, random);
-    if (share_of_stage(view.scene, stage, size) >= wanted) return view;
+    scene.camera = drawn_camera(own, random);
+    if (share_of_stage(scene, stage, size) >= wanted) return scene.camera;
   }
-  throw Failure("grading.toml: no camera shows stage " + std::to_string(stage) + " in the scene '" + name + "'",
-                wrong_usage);
+  throw Failure(what + "shows " + which + " from no camera that was drawn", wrong_usage);
 }
 
-/// One of the oracle's making.
-Reference reference_of(const View& view, ImageSize size, const fs::path& file) {
-  if (!fs::exists(file)) write_reference(file, oracle_reference({view.name, {}, view.scene}, view.stage, size, 1, 0));
-  return read_reference(file);
+/// A view from a drawn camera. Camera and reference follow from what is hashed, and are kept in the folder under that.
+View drawn_view(const SceneEntry& entry, int stage, ImageSize size, const std::string& seed, const fs::path& folder) {
+  const std::string key =
+      text_hash(seed + ' ' + std::to_string(stage) + ' ' + entry.name + ' ' + std::to_string(size.width) + 'x' +
+                std::to_string(size.height) + ' ' + entry.sources.front().hash);
+  const fs::path stem = folder / ("stage" + std::to_string(stage) + "-" + entry.name + "-" + key.substr(0, 8));
+  const fs::path camera = stem.string() + ".json", reference = stem.string() + ".exr";
+  View view{stage, entry.name, true, Known::load(entry), {}};
+  if (const FileText kept = read_file(camera, most_bytes); kept.text) {
+    view.scene.camera = from_json<Camera>(*kept.text);
+  } else {
+    view.scene.camera = found_camera(view.scene, stage, entry.name, size, key);
+    write_file(camera, to_json(view.scene.camera));
+  }
+  if (!fs::exists(reference)) write_reference(reference, oracle_reference({view.name, {}, view.scene}, stage, size, 1, 0));
+  view.reference = read_reference(reference);
+  return view;
 }
 
 }  // namespace
@@ -96,15 +111,8 @@ std::vector<View> grading_views(const Grading& grading, const std::string& seed,
   for (const StageInfo& stage : stage_list()) {
     const StageGrading& plan = grading.stages[static_cast<std::size_t>(stage.number - 1)];
     if (!plan.shown.empty()) views.push_back(known.published(stage.number, plan.shown));
-    for (const std::string& name : plan.scenes) {
-      View view = drawn_view(known, stage.number, name, grading.size, seed);
-      const std::string what =
-          seed + to_json(view.scene.camera) + std::to_string(grading.size.width) + "x" + std::to_string(grading.size.height);
-      const std::string file =
-          "stage" + std::to_string(stage.number) + "-" + name + "-" + text_hash(what).substr(0, 8) + ".exr";
-      view.reference = reference_of(view, grading.size, folder / file);
-      views.push_back(std::move(view));
-    }
+    for (const std::string& name : plan.scenes)
+      views.push_back(drawn_view(known.scene(name), stage.number, grading.size, seed, folder));
   }
   return views;
 }

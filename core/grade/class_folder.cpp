@@ -10,7 +10,6 @@
 #include "core/submission/taken_files.hpp"
 
 #include <algorithm>
-#include <ostream>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -28,10 +27,6 @@ const char* const roster_file = "roster.csv";
 const char* const run_file = "run.json";
 
 std::optional<std::string> text_of(const fs::path& path) { return read_file(path, most_bytes).text; }
-
-void write_text(const fs::path& path, const std::string& text) {
-  write_file(path, [&](std::ostream& stream) { stream << text; });
-}
 
 void add(const fs::path& folder, std::vector<Submitted>& all) {
   const fs::path whole = fs::absolute(folder).lexically_normal();
@@ -94,7 +89,7 @@ ClassFolder::ClassFolder(fs::path folder, const std::string& seed) : folder_(std
     throw std::runtime_error(folder_.string() + ": holds something else: name a new folder");
   fs::create_directories(folder_);
   fs::permissions(folder_, fs::perms::owner_all);
-  if (!known) write_text(folder_ / seed_file, seed + '\n');
+  if (!known) write_file(folder_ / seed_file, seed + '\n');
 }
 
 std::optional<std::string> ClassFolder::seed_of(const fs::path& folder) {
@@ -115,8 +110,8 @@ std::optional<SubmissionResult> ClassFolder::finished(const std::string& id, con
 }
 
 void ClassFolder::finish(const SubmissionResult& result, double seconds) const {
-  write_text(submission(result.id) / seconds_file, to_json(seconds) + '\n');
-  write_text(submission(result.id) / result_file, to_json(result) + '\n');
+  write_file(submission(result.id) / seconds_file, to_json(seconds) + '\n');
+  write_file(submission(result.id) / result_file, to_json(result) + '\n');
 }
 
 std::vector<SubmissionResult> ClassFolder::results() const {
@@ -144,7 +139,7 @@ void ClassFolder::enroll(const std::vector<RosterEntry>& entries) const {
     all.push_back(entry);
   }
   std::sort(all.begin(), all.end(), [](const RosterEntry& a, const RosterEntry& b) { return a.id < b.id; });
-  write_text(folder_ / roster_file, roster_csv(all));
+  write_file(folder_ / roster_file, roster_csv(all));
 }
 
 std::vector<RosterEntry> ClassFolder::roster() const {
@@ -158,7 +153,7 @@ ClassRun ClassFolder::run() const {
   return from_json<ClassRun>(*text);
 }
 
-void ClassFolder::write_run(const ClassRun& run) const { write_text(folder_ / run_file, to_json(run) + '\n'); }
+void ClassFolder::write_run(const ClassRun& run) const { write_file(folder_ / run_file, to_json(run) + '\n'); }
 
 void ClassFolder::take_over(const ClassFolder& other) const {
   if (other.seed() != seed())

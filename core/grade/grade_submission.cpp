@@ -6,6 +6,7 @@
 #include "core/image/diff_pictures.hpp"
 #include "core/image/image_file.hpp"
 #include "core/render/render.hpp"
+#include "core/results/plain_text.hpp"
 #include "core/submission/compiler.hpp"
 #include "core/submission/remote_table.hpp"
 #include "core/submission/stage_files.hpp"
@@ -40,7 +41,7 @@ std::string tamed(std::string_view text) {
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
     if (count == most_lines || tame.size() > most_bytes) return tame + "...\n";
-    tame += printable(line.substr(0, longest)) + '\n';
+    tame += plain_text(line.substr(0, longest)) + '\n';
   }
   while (tame.ends_with('\n')) tame.pop_back();
   return tame;
@@ -263,19 +264,14 @@ class TaskJudge {
 /// The image by a worker. Throws NoAnswer, NotWritten.
 Image rendered(const View& view, const Settings& settings, const WorkerSetup& setup, double seconds) {
   const auto engine = make_worker_engine(view.scene, settings, setup, 1, [](const std::string&) {});
-  Image image(settings.size.width, settings.size.height);
-  const auto take = [&](int row, std::span<const Color> pixels) {
-    std::copy(pixels.begin(), pixels.end(), image.pixels.begin() + static_cast<std::ptrdiff_t>(row) * settings.size.width);
-  };
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
   std::atomic<bool> late = false;
-  const auto watch = [&](double) { late = std::chrono::steady_clock::now() > deadline; };
+  const auto watch = [&](double) { late = Clock::now() > deadline; };
   try {
-    render(*engine, settings.size, 1, take, watch, late);
+    return render_image(*engine, settings.size, 1, watch, late);
   } catch (const Cancelled&) {
     throw NoAnswer(Trouble::too_slow, "the image takes more than " + to_text(seconds) + " seconds");
   }
-  return image;
 }
 
 /// Of the pixel that is farthest from right: the first call that is answered differently.

@@ -44,4 +44,8 @@ void write_file(const std::filesystem::path& path, const std::function<void(std:
   file.commit();
 }
 
+void write_file(const std::filesystem::path& path, std::string_view text) {
+  write_file(path, [&](std::ostream& stream) { stream << text; });
+}
+
 }  // namespace raylab

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <string_view>
 
 namespace raylab {
 
@@ -30,5 +31,6 @@ class PartialFile {
 /// Writes a file that appears whole or not at all. Throws std::runtime_error if it cannot be written, and what `write`
 /// throws.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+void write_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace raylab

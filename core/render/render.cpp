@@ -172,15 +172,20 @@ RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, cons
   return totals;
 }
 
-Image render_image(const Engine& engine, ImageSize size, unsigned threads) {
+Image render_image(const Engine& engine, ImageSize size, unsigned threads, const Progress& progress,
+                   const std::atomic<bool>& cancel) {
   Image image(size.width, size.height);
-  const std::atomic<bool> never = false;
   const auto keep = [&](int first_row, std::span<const Color> rows) {
     std::copy(rows.begin(), rows.end(), &image.at(0, first_row));
   };
-  render(
-      engine, size, threads, keep, [](double) {}, never);
+  render(engine, size, threads, keep, progress, cancel);
   return image;
+}
+
+Image render_image(const Engine& engine, ImageSize size, unsigned threads) {
+  const std::atomic<bool> never = false;
+  return render_image(
+      engine, size, threads, [](double) {}, never);
 }
 
 }  // namespace raylab

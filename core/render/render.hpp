@@ -36,7 +36,9 @@ struct RenderTotals {
 RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, const RowSink& sink, const Progress& progress,
                     const std::atomic<bool>& cancel);
 
-/// A whole image, without progress and not to be cancelled.
+/// A whole image; throws as render() does. Without the last two it tells nobody and is not to be cancelled.
+Image render_image(const Engine& engine, ImageSize size, unsigned threads, const Progress& progress,
+                   const std::atomic<bool>& cancel);
 Image render_image(const Engine& engine, ImageSize size, unsigned threads);
 
 }  // namespace raylab

@@ -95,7 +95,7 @@ int wait_for_end(pid_t pid) {
   return status;
 }
 
-std::string crash(int signal) {
+std::string crash_in_words(int signal) {
   switch (signal) {
     case SIGSEGV:
     case SIGBUS:
@@ -116,6 +116,8 @@ std::string crash(int signal) {
       return std::string("crashed: ") + strsignal(signal);
   }
 }
+
+std::string crash(int signal) { return crash_in_words(signal) + " (signal " + std::to_string(signal) + ")"; }
 
 ChildEnded ending(int status, bool codes_are_signals) {
   constexpr int first_signal_code = 128;

@@ -1,6 +1,7 @@
 #include "core/submission/compiler.hpp"
 
 #include "core/image/data_folder.hpp"
+#include "core/image/file_hash.hpp"
 #include "core/image/partial_file.hpp"
 #include "core/render/stage_table.hpp"
 #include "core/scene/read_file.hpp"
@@ -13,7 +14,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -74,12 +74,6 @@ std::string joined_contents(const std::map<std::string, std::string>& files) {
   return all;
 }
 
-std::string hash(const std::string& text) {
-  std::ostringstream stream;
-  stream << std::hex << std::hash<std::string>{}(text);
-  return stream.str();
-}
-
 /// What the compiler says it is. Throws std::runtime_error if there is none.
 std::string compiler_version() {
   const std::string name = compiler();
@@ -122,10 +116,6 @@ std::string without_files_in(const fs::path& folder, std::string text) {
     text.replace(at, end - at, "(a file)");
   }
   return text;
-}
-
-void write_text(const fs::path& path, const std::string& text) {
-  write_file(path, [&](std::ostream& stream) { stream << text; });
 }
 
 /// What most files of a stage include anyway.
@@ -178,7 +168,7 @@ StageCompiler::StageCompiler(const CompilerOptions& options) : options_(options)
   static const std::string version = compiler_version();
   const fs::path cache = options.sandbox ? shared_cache_folder() : cache_folder();
   root_ = data_folder("stages").parent_path();
-  folder_ = cache / hash(joined(command_) + root_.string() + version + joined_contents(headers));
+  folder_ = cache / text_hash(joined(command_) + root_.string() + version + joined_contents(headers));
   made_ = options.sandbox ? options.sandbox->room() : folder_;
   fs::create_directories(folder_);
   if (options.sandbox) {
@@ -186,7 +176,7 @@ StageCompiler::StageCompiler(const CompilerOptions& options) : options_(options)
     command_.front() = fs::canonical(find_program(command_.front())).string();
     root_ = folder_ / "include";
     for (const auto& [name, text] : headers)
-      if (!fs::exists(root_ / name)) write_text(root_ / name, text);
+      if (!fs::exists(root_ / name)) write_file(root_ / name, text);
   }
   command_.push_back("-I" + root_.string());
   forget_old(cache);
@@ -214,7 +204,7 @@ void StageCompiler::prepare() const {
 /// What every file includes first, precompiled.
 fs::path StageCompiler::header() const {
   const fs::path path = folder_ / "common.hpp";
-  if (!fs::exists(path)) write_text(path, common_headers);
+  if (!fs::exists(path)) write_file(path, common_headers);
   prepared("common.hpp.gch", {"-x", "c++-header", path.string()});
   return path;
 }
@@ -233,7 +223,7 @@ StageCompiler::Built StageCompiler::build(int stage, const fs::path& source) con
 }
 
 StageCompiler::Built StageCompiler::build_text(int stage, const std::string& text, const std::string& shown) const {
-  const std::string name = hash(shown + '\n' + text) + ".so";
+  const std::string name = text_hash(shown + '\n' + text) + ".so";
   const fs::path said = made_ / (name + ".txt");
   if (fs::exists(made_ / name)) return {made_ / name, fs::exists(said) ? content(said) : ""};
 
@@ -249,7 +239,7 @@ StageCompiler::Built StageCompiler::build_text(int stage, const std::string& tex
                "-shared", "-x", "c++", copy.temporary().string(), "-x", "none", exporter.string(), "-Wl,-z,defs"},
               copy.temporary(), library.temporary());
   if (!finished.good) throw DoesNotCompile(finished.output);
-  if (!finished.output.empty()) write_text(said, finished.output);
+  if (!finished.output.empty()) write_file(said, finished.output);
   library.commit();
   return {made_ / name, finished.output};
 }

@@ -58,7 +58,7 @@ Worker::Worker(const WorkerSetup& setup) : process_(child_of(setup)), end_(setup
                                           ", while it was loaded: before any task was called (a global variable?)");
   } catch (const ChildSilent& error) {
     throw NoAnswer(Trouble::too_slow,
-                   "the submission " + std::string(error.what()) + " It was being loaded (a global variable?)");
+                   "the submission " + std::string(error.what()) + ". It was being loaded (a global variable?)");
   } catch (const ChildFloods& error) {
     throw NoAnswer(Trouble::no_value, "the submission " + std::string(error.what()) + ", while it was loaded");
   }

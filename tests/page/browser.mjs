@@ -31,6 +31,15 @@ export const press = async (page, ...keys) => {
 export const drawn = (page) =>
     page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
+export async function assertFitsEveryWindow(page) {
+  for (const width of [320, 375, 768, 1280, 1920]) {
+    await page.setViewportSize({width, height: 900});
+    await drawn(page);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+    assert(wide <= 0, `${width}: ${wide} too wide`);
+  }
+}
+
 export async function assertNoAxeViolations(page, what) {
   await page.evaluate(axeSource);
   const violations = await page.evaluate(
