@@ -52,7 +52,7 @@ std::vector<Right> right_renderers() {
     all.push_back({"handout, " + std::string(build.name) + ", " + name,
                    [build, variant](const Scene& s, const Settings& c) { return build.make(s, c, variant); }});
   };
-  Variant plain, vectors, closed, shifted, middle, clamped;
+  Variant plain, vectors, closed, shifted, middle, lifted, clamped;
   vectors.roots = Variant::Roots::half_b;
   vectors.glass = Variant::Glass::vectors;
   vectors.power_by_exp_log = true;
@@ -65,6 +65,7 @@ std::vector<Right> right_renderers() {
   middle.shadow_shift = 0.01;
   middle.bounce_shift = 0.0001;
   middle.roots = Variant::Roots::geometric;
+  lifted.lift = 0.0005;
   clamped.clamp_each = true;
   clamped.shadow_shift = 0.05;
   const std::vector<std::pair<std::string, Variant>> variants{{"as printed", plain},
@@ -72,6 +73,7 @@ std::vector<Right> right_renderers() {
                                                               {"closed formulas", closed},
                                                               {"shifts of 0.1 and 0.001, black rims", shifted},
                                                               {"shifts of 0.01 and 0.0001", middle},
+                                                              {"lifted by 0.0005 along the normal", lifted},
                                                               {"each dot product clamped, shift of 0.05", clamped}};
   for (const HandoutBuild& build : handout_builds())
     for (const auto& [name, variant] : variants) {

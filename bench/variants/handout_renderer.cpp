@@ -227,6 +227,12 @@ class HandoutRenderer : public Engine {
     return {p, d, k, inwards};
   }
 
+  /// A reflected or exit ray on the side of the normal.
+  Ray bounced(const V& p, const V& normal, const V& d, int k, bool inwards) const {
+    if (variant_.lift > 0) return {p + static_cast<Real>(variant_.lift) * normal, d};
+    return start(p, d, k, inwards, variant_.bounce_shift);
+  }
+
   // --- Stages 3 and 4: light
 
   V shade(const Thing& thing, int k, const V& p, const V& normal, const V& view, bool inside, RayCounts& counts) const {
@@ -275,7 +281,7 @@ class HandoutRenderer : public Engine {
   V reflection(const Ray& ray, const V& p, const V& normal, int k, bool inside, int bounce, RayCounts& counts) const {
     ++counts.reflected;
     const V d = unit(ray.d - 2 * dot(ray.d, normal) * normal);
-    return trace(start(p, d, k, inside, variant_.bounce_shift), bounce + 1, counts);
+    return trace(bounced(p, normal, d, k, inside), bounce + 1, counts);
   }
 
   static Real schlick(Real cosine, Real n) {
@@ -305,7 +311,8 @@ class HandoutRenderer : public Engine {
 
     ++counts.refracted;
     if (!out) return r * reflected;
-    const V refracted = trace(start(out->o, out->d, k, false, variant_.bounce_shift), bounce + 1, counts);
+    const V outwards = unit(out->o - sphere.center);
+    const V refracted = trace(bounced(out->o, outwards, out->d, k, false), bounce + 1, counts);
     return r * reflected + (1 - r) * refracted;
   }
 

@@ -18,6 +18,8 @@ struct Variant {
   double shadow_shift = 0;
   double bounce_shift = 0;  ///< reflected and exit rays start at p + shift d, 0 to 0.001, in the same way
 
+  double lift = 0;  ///< reflected and exit rays start at p + lift N instead, 0 to 0.001
+
   bool clamp_each = false;        ///< L.N and H.N are each clamped by itself: a highlight needs no L.N > 0 (D9)
   bool power_by_exp_log = false;  ///< (H.N)^alpha as exp(alpha log(H.N))
   bool lights_backwards = false;  ///< sums the lights in the opposite order

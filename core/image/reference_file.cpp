@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr double most_objects = 1 << 24;  // floats count that far
 
-// The channels. Differences are 0 nearly everywhere, and so cost next to nothing.
+// The channels.
 
 const std::vector<std::string> plain_channels = {"R",       "G",       "B",       "below.R", "below.G",
                                                  "below.B", "above.R", "above.G", "above.B"};
@@ -46,28 +46,33 @@ void append(std::vector<float>& values, const Color& color) {
 
 enum class Towards { zero, infinity };
 
-/// Three binary digits are enough for these, and compress well.
-float in_three_digits(double value, Towards side) {
+/// Rounded to so many binary digits: few are enough for what is a bound, and compress well.
+float rounded_to(int digits, double value, Towards side) {
   if (!(value > 0)) return 0;
-  const double unit = std::ldexp(1.0, std::ilogb(value) - 2);
+  const double unit = std::ldexp(1.0, std::ilogb(value) - (digits - 1));
   const double rounded = side == Towards::zero ? std::floor(value / unit) : std::ceil(value / unit);
   const auto result = static_cast<float>(rounded * unit);
   return result == 0 && side == Towards::infinity ? std::numeric_limits<float>::min() : result;
 }
 
+/// How far it may be off: at most 3 % more than is so.
+void append_range(std::vector<float>& values, const Color& off) {
+  for (int channel = 0; channel < 3; ++channel) values.push_back(rounded_to(6, off[channel], Towards::infinity));
+}
+
 void append_pixel(std::vector<float>& values, const Reference& reference, std::size_t k) {
   const Color& value = reference.value.pixels[k];
   append(values, value);
-  append(values, value - reference.least.pixels[k]);
-  append(values, reference.greatest.pixels[k] - value);
+  append_range(values, value - reference.least.pixels[k]);
+  append_range(values, reference.greatest.pixels[k] - value);
   if (reference.each) {
     const Color& each = reference.each->value.pixels[k];
     append(values, each - value);
-    append(values, each - reference.each->least.pixels[k]);
-    append(values, reference.each->greatest.pixels[k] - each);
+    append_range(values, each - reference.each->least.pixels[k]);
+    append_range(values, reference.each->greatest.pixels[k] - each);
   }
-  values.push_back(in_three_digits(reference.margin[k], Towards::zero));
-  values.push_back(in_three_digits(reference.sensitivity[k], Towards::infinity));
+  values.push_back(rounded_to(3, reference.margin[k], Towards::zero));
+  values.push_back(rounded_to(3, reference.sensitivity[k], Towards::infinity));
   values.push_back(static_cast<float>(reference.object[k]));
 }
 

@@ -120,8 +120,13 @@ class Driver {
       for (const Sphere& sphere : cloud.spheres) ask_sphere(sphere, cloud.material.transparent);
   }
 
+  /// Of a ray from the sphere itself; the root is for one that starts a little inside.
   static std::optional<double> far_side(const Ray& ray, const Sphere& sphere) {
-    return std::max(0.0, -2 * dot(ray.origin - sphere.center, ray.direction));
+    const Vec3 from_center = ray.origin - sphere.center;
+    const double to_middle = -dot(from_center, ray.direction);
+    const double gap = (sphere.radius - length(from_center)) * (sphere.radius + length(from_center));
+    if (gap < 1e-9 * sphere.radius * sphere.radius) return std::max(0.0, 2 * to_middle);
+    return to_middle + std::sqrt(to_middle * to_middle + gap);
   }
 
   Hit hit_at(const Ray& ray, GeometryId id, double t) const {

@@ -30,6 +30,7 @@ struct Vec3 {
 
   Vec3& operator+=(const Vec3& b) { return *this = *this + b; }
 
+  friend bool operator==(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
   friend Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }

@@ -43,11 +43,6 @@ Color rounded(const Vec3<T>& color) {
           color.z.template convert_to<double>()};
 }
 
-template <class T>
-bool equal(const Vec3<T>& a, const Vec3<T>& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 const Color undecided(std::numeric_limits<double>::quiet_NaN());
 
 std::vector<SampleOffset> samples_of(const Settings& settings) {
@@ -123,7 +118,7 @@ class Pixels {
     if (!agree(seen.color.value, together)) return {};
     PixelWord word;
     word.together = range(rounded(together), seen.color.value, seen.color.least, seen.color.greatest);
-    if (equal(seen.color.each_value, seen.color.value)) {
+    if (seen.color.each_value == seen.color.value) {
       word.each = range(rounded(together), seen.color.each_value, seen.color.each_least, seen.color.each_greatest);
     } else {
       RayCounts uncounted;

@@ -80,16 +80,22 @@ class Tracer {
   using Alter = Ray<T> (*)(const Ray<T>& ray, std::uint64_t number);
   static Ray<T> unaltered(const Ray<T>& ray, std::uint64_t) { return ray; }
 
-  /// clamp_each: each dot product clamped by itself, an accepted variant of D9.
+  /// clamp_each: each dot product clamped by itself, an accepted variant of D9. lift: how far along the normal
+  /// reflected and exit rays start off the surface, another.
   Tracer(const World<T>& world, RayCounts& counts, const std::atomic<bool>& cancel, bool clamp_each = false,
-         Alter alter = unaltered)
-      : world_(world), counts_(counts), cancel_(cancel), clamp_each_(clamp_each), alter_(alter) {}
+         Alter alter = unaltered, const T& lift = T(0))
+      : world_(world), counts_(counts), cancel_(cancel), clamp_each_(clamp_each), alter_(alter), lift_(lift) {}
 
   /// 7 SSAA: the mean of the samples, then the clamp (D18).
   Vec3<T> pixel(int column, int row, const std::vector<SampleOffset>& samples) {
     Vec3<T> sum;
-    for (const SampleOffset& sample : samples) sum += primary(altered(world_.lens.ray(column, row, sample)));
+    for (const SampleOffset& offset : samples) sum += sample(column, row, offset);
     return clamped(sum / T(samples.size()));
+  }
+
+  /// One of them, not clamped.
+  Vec3<T> sample(int column, int row, const SampleOffset& offset) {
+    return primary(altered(world_.lens.ray(column, row, offset)));
   }
 
   // 2 Intersections
@@ -102,7 +108,7 @@ class Tracer {
     if (own && (plane || ray.leaves.side == Side::outwards)) return std::nullopt;
     const auto& shape = world_.shapes[id];
     if (plane) return meet_plane(ray, shape.point, shape.normal);
-    if (own) return meet_far_side(ray, shape.point);
+    if (own && lift_ == 0) return meet_far_side(ray, shape.point);
     return meet_sphere(ray, shape.point, shape.radius);
   }
 
@@ -236,7 +242,7 @@ class Tracer {
   }
 
   Ray<T> mirrored(const Ray<T>& ray, const Hit<T>& hit) {
-    return altered({hit.point, reflect(ray.direction, hit.normal), {hit.geometry, hit.side}});
+    return altered({hit.point + lift_ * hit.normal, reflect(ray.direction, hit.normal), {hit.geometry, hit.side}});
   }
 
   /// R of the reflected ray and 1 - R of the refracted one, met from outside or from inside (D17).
@@ -250,7 +256,9 @@ class Tracer {
       Ray<T> ahead = altered({hit.point,
                               refract(ray.direction, hit.normal, ratio, *cos_far),
                               {hit.geometry, outside ? Side::inwards : Side::outwards}});
-      if (outside) ahead = altered(exit_ray(ahead, world_.shapes[static_cast<std::size_t>(hit.geometry)].point, n));
+      const Vec3<T>& c = world_.shapes[static_cast<std::size_t>(hit.geometry)].point;
+      if (outside) ahead = altered(exit_ray(ahead, c, n));
+      if (lift_ > 0) ahead.origin += lift_ * unit(ahead.origin - c);
       both.push_back({ahead, T(1 - R), true});
     }
     return both;
@@ -261,6 +269,7 @@ class Tracer {
   const std::atomic<bool>& cancel_;
   const bool clamp_each_;
   const Alter alter_;
+  const T lift_;
   std::uint64_t asked_ = 0;  ///< geometries so far
   std::uint64_t made_ = 0;   ///< rays so far
 };

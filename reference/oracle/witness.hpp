@@ -3,6 +3,7 @@
 // What can be said about a pixel beside its color: which other values are right too, and how near it is to a decision.
 #include "reference/oracle/tracer.hpp"
 
+#include <array>
 #include <utility>
 
 namespace raylab::oracle {
@@ -10,6 +11,8 @@ namespace raylab::oracle {
 /// The shifts off the surface that docs/model.md accepts: for shadow rays, and for reflected and exit rays.
 inline constexpr double greatest_shadow_shift = 0.1;
 inline constexpr double greatest_bounce_shift = 0.001;
+/// The shifts along the normal that are tried, for reflected and exit rays: none, up to the greatest that is accepted.
+inline constexpr std::array lifts{0.0, 0.0001, 0.0003, 0.0006, 0.001};
 
 /// One quantity in six ways: as docs/model.md has it, the least and the greatest over all shifts, and the same three with
 /// each dot product clamped by itself.
@@ -52,15 +55,28 @@ struct Testimony {
 /// Follows the rays of a pixel as Tracer does, and watches each decision on the way.
 ///
 /// A shift along a ray moves no line, but skips what lies nearer than it. So between the distances at which a ray meets
-/// anything, all shifts give the same, and one shift of each such interval is tried: nothing is sampled.
+/// anything, all shifts give the same, and one shift of each such interval is tried: nothing is sampled. A shift along the
+/// normal moves the line, and what is seen along it changes smoothly but for decisions: half of the greatest and the
+/// greatest are tried, and the parabola through the three values stands for all between.
 template <class T>
 class Witness {
  public:
-  Witness(const World<T>& world, const std::atomic<bool>& cancel) : world_(world), tracer_(world, uncounted_, cancel) {}
+  Witness(const World<T>& world, const std::atomic<bool>& cancel) : world_(world), tracer_(world, uncounted_, cancel) {
+    for (std::size_t i = 1; i < lifts.size(); ++i) {
+      const auto tracer = [&](bool clamp_each) {
+        return Tracer<T>(world, uncounted_, cancel, clamp_each, Tracer<T>::unaltered, T(lifts[i]));
+      };
+      lifted_.push_back({tracer(false), tracer(true)});
+    }
+  }
 
   Testimony<T> pixel(int column, int row, const std::vector<SampleOffset>& samples) {
     Spread<Vec3<T>> sum{};
-    for (const SampleOffset& sample : samples) sum += primary(world_.lens.ray(column, row, sample));
+    for (const SampleOffset& sample : samples) {
+      Light light = primary(world_.lens.ray(column, row, sample));
+      if (world_.settings.stage >= 5) include_lifts(light, column, row, sample);
+      sum += light;
+    }
     const T count(samples.size());
     const auto resolve = [&](const Vec3<T>& total) { return clamped(total / count); };
     return {Spread<Vec3<T>>::map(resolve, sum), margin_, object_at(column, row)};
@@ -69,6 +85,11 @@ class Witness {
  private:
   using Nearest = typename Tracer<T>::Nearest;
   using Light = Spread<Vec3<T>>;
+
+  /// Reflected and exit rays start off the surface along its normal; with dot products clamped in both ways.
+  struct Lifted {
+    Tracer<T> together, each;
+  };
 
   GeometryId object_at(int column, int row) {
     if (world_.settings.stage == 1) return no_geometry;
@@ -79,6 +100,36 @@ class Witness {
   Light primary(const Ray<T>& ray) {
     if (world_.settings.stage == 1) return Light::all((ray.direction + Vec3<T>(1, 1, 1)) / T(2));
     return color(ray, 0);
+  }
+
+  /// The lifts, and what parabolas through three in a row say of those between.
+  void include_lifts(Light& light, int column, int row, const SampleOffset& sample) {
+    std::vector<Light> all{light};
+    for (Lifted& lifted : lifted_) {
+      const Vec3<T> together = lifted.together.sample(column, row, sample);
+      all.push_back(of_both(together, light.each_value == light.value ? together : lifted.each.sample(column, row, sample)));
+      light.include(all.back());
+    }
+    for (std::size_t i = 2; i < all.size(); ++i) {
+      const T middle = (lifts[i - 1] - lifts[i - 2]) / (lifts[i] - lifts[i - 2]);
+      const auto extremum = [&](auto value) {
+        const Vec3<T>&a = all[i - 2].*value, &b = all[i - 1].*value, &c = all[i].*value;
+        return Vec3<T>(between(a.x, b.x, c.x, middle), between(a.y, b.y, c.y, middle), between(a.z, b.z, c.z, middle));
+      };
+      light.include(of_both(extremum(&Light::value), extremum(&Light::each_value)));
+    }
+  }
+
+  static Light of_both(const Vec3<T>& together, const Vec3<T>& each) {
+    return {together, together, together, each, each, each};
+  }
+
+  /// The extremum at 0 < x < 1 of the parabola that is a at 0, b at `middle` and c at 1; a if there is none.
+  static T between(const T& a, const T& b, const T& c, const T& middle) {
+    const T bend = (c - a - (b - a) / middle) / (1 - middle);
+    const T slope = c - a - bend;
+    const bool inside = slope * bend < 0 && abs(slope) < 2 * abs(bend);
+    return inside ? T(a - slope * slope / (4 * bend)) : a;
   }
 
   // The recursion, as Tracer's.
@@ -315,6 +366,7 @@ class Witness {
   const World<T>& world_;
   RayCounts uncounted_;
   Tracer<T> tracer_;
+  std::vector<Lifted> lifted_;
   bool watching_ = true;  ///< off where a variant is followed, whose decisions are not the model's
   T margin_ = T(1);
 };
