@@ -123,3 +123,7 @@ TEST_CASE("oracle tasks: what has no answer throws, or stays no number", "[oracl
   CHECK(std::isnan(oracle().specular_weight(nan)));
   CHECK(std::isnan(oracle().camera_ray({{}, {0, 0, 0}, {0, 1, 0}, 45}, 4, 4, 0, 0, 0, 0).direction.x));
 }
+
+TEST_CASE("oracle tasks: a faint shininess keeps its digits", "[oracle]") {
+  for (const double shininess : {1e-70, 4e-151, 1e-300}) CHECK(oracle().specular_weight(shininess) == shininess / 400);
+}

@@ -123,10 +123,16 @@ struct Tasks {
 
   // ---- 5 Reflections
 
-  static raylab::Vec3 reflect(const raylab::Vec3& d, const raylab::Vec3& n) { return out(mirrored(in(d), in(n))); }
+  /// The engine's own directions are unit vectors, which `mirrored` keeps them; here any length is kept.
+  static raylab::Vec3 reflect(const raylab::Vec3& d, const raylab::Vec3& n) {
+    const double size = std::hypot(d.x, d.y, d.z);
+    return size > 0 ? size * unit_reflected(d / size, n) : d;
+  }
+
+  static raylab::Vec3 unit_reflected(const raylab::Vec3& d, const raylab::Vec3& n) { return out(mirrored(in(d), in(n))); }
 
   static Bounce mirror_bounce(const raylab::Hit& hit, double k_s) {
-    return {{out(in(hit.point)), reflect(hit.direction, hit.normal), hit.leaves}, static_cast<T>(k_s)};
+    return {{out(in(hit.point)), unit_reflected(hit.direction, hit.normal), hit.leaves}, static_cast<T>(k_s)};
   }
 
   static bool go_on(int bounce, int max_bounces, double weight) {

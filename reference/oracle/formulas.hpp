@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace raylab::oracle {
@@ -111,6 +112,8 @@ T meet_far_side(const Ray<T>& ray, const Vec3<T>& c) {
 template <class T>
 T specular_weight(double shininess) {
   if (std::isinf(shininess)) return T(1);
+  const T half = T(shininess) / 400;
+  if (half * half < std::numeric_limits<T>::epsilon()) return half;  // where 1 - e has no digits left; off by half^3 / 3
   const T e = exp(-T(shininess) / 200);
   return (1 - e) / (1 + e);
 }
