@@ -352,9 +352,12 @@ TEST_CASE("driver: pixels that are no numbers are counted", "[driver]") {
   };
   const Scene scene;
   const RenderTotals totals = render(
-      *make_stages(scene, {1, {4, 2}, 5, {}}, wrong), {4, 2}, 1, [](int, std::span<const Color>) {}, [](double) {}, never);
-  CHECK(totals.non_finite_pixels == 4);
-  CHECK(totals.rays.primary == 8);
+      *make_stages(scene, {1, {4, 80}, 5, {}}, wrong), {4, 80}, 3, [](int, std::span<const Color>) {}, [](double) {}, never);
+  CHECK(totals.non_finite_pixels == 160);
+  REQUIRE(totals.first_non_finite);
+  CHECK(totals.first_non_finite->column == 2);
+  CHECK(totals.first_non_finite->row == 0);
+  CHECK(totals.rays.primary == 320);
 }
 
 TEST_CASE("stage table: tasks mix by stage and by label", "[driver]") {

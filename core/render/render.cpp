@@ -19,6 +19,22 @@ namespace {
 
 constexpr int band_rows = 8;
 
+/// The pixels of some rows that are no finite numbers.
+struct NonFinite {
+  std::uint64_t count = 0;
+  PixelPlace first{};
+};
+
+NonFinite find_non_finite(std::span<const Color> pixels, int first_row, int width) {
+  NonFinite found;
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    if (is_finite(pixels[k])) continue;
+    const int place = static_cast<int>(k);
+    if (found.count++ == 0) found.first = {place % width, first_row + place / width};
+  }
+  return found;
+}
+
 /// The bands of an image on their way from the threads that compute them to the one that wants them in order.
 class Bands {
  public:
@@ -117,11 +133,21 @@ class Bands {
       row += some;
     }
     const double took = thread_seconds() - start;
+    const NonFinite non_finite = find_non_finite(pixels, first_row, size_.width);
     const std::lock_guard lock(mutex_);
+    add(non_finite);
     totals_.rays += counts;
     totals_.trace_seconds += took;
     finished_.emplace(band, std::move(pixels));
     changed_.notify_all();
+  }
+
+  /// Bands end in any order.
+  void add(const NonFinite& found) {
+    if (found.count == 0) return;
+    totals_.non_finite_pixels += found.count;
+    std::optional<PixelPlace>& first = totals_.first_non_finite;
+    if (!first || found.first.row < first->row) first = found.first;
   }
 
   const Engine& engine_;
@@ -143,33 +169,15 @@ class Bands {
 
 }  // namespace
 
-namespace {
-
-/// Counts the pixels of these rows that are no finite numbers.
-void count_non_finite(std::span<const Color> pixels, int first_row, int width, RenderTotals& totals) {
-  for (std::size_t k = 0; k < pixels.size(); ++k) {
-    if (is_finite(pixels[k])) continue;
-    const int place = static_cast<int>(k);
-    if (totals.non_finite_pixels++ == 0) totals.first_non_finite = {place % width, first_row + place / width};
-  }
-}
-
-}  // namespace
-
 RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, const RowSink& sink, const Progress& progress,
                     const std::atomic<bool>& cancel) {
-  RenderTotals found;
   Bands bands(engine, size, std::max(1u, threads), cancel);
   for (int band = 0; band < bands.count(); ++band) {
     const std::vector<Color> pixels = bands.take(band, [&] { progress(bands.done()); });
-    count_non_finite(pixels, band * band_rows, size.width, found);
     sink(band * band_rows, pixels);
     progress(bands.done());
   }
-  RenderTotals totals = bands.totals();
-  totals.non_finite_pixels = found.non_finite_pixels;
-  totals.first_non_finite = found.first_non_finite;
-  return totals;
+  return bands.totals();
 }
 
 Image render_image(const Engine& engine, ImageSize size, unsigned threads, const Progress& progress,

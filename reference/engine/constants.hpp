@@ -27,21 +27,32 @@ inline constexpr T log_2_low = 0x1.a39ef35793c76p-33;
 template <>
 inline constexpr float log_2_low<float> = 0x1.0bfbe8p-15f;
 
-/// (2 atanh(s) - 2 s) / s^3 in powers of s^2, from the highest: 2/(2k + 1) for k down to 1. As far as it counts at
-/// s = 0.2, the largest that is asked for.
+/// (2 atanh(s) - 2 s) / s^3 in powers of s^2, the constant first: the minimax polynomial for |s| up to 0.2, the largest that
+/// is asked for. With it the logarithm is off by 5e-19 of itself at most, in float by 9e-9, but for rounding.
 template <class T>
-inline constexpr std::array<T, 10> atanh_series = {2. / 21, 2. / 19, 2. / 17, 2. / 15, 2. / 13,
-                                                   2. / 11, 2. / 9,  2. / 7,  2. / 5,  2. / 3};
+inline constexpr std::array<T, 8> atanh_series = {0.6666666666666666,  0.40000000000009234, 0.2857142856688787,
+                                                  0.222222230988127,   0.18181734299612953, 0.1538898418786238,
+                                                  0.13207649237279442, 0.13623520647255843};
 template <>
-inline constexpr std::array<float, 5> atanh_series<float> = {2.f / 11, 2.f / 9, 2.f / 7, 2.f / 5, 2.f / 3};
+inline constexpr std::array<float, 3> atanh_series<float> = {0.66666716f, 0.39978498f, 0.29969645f};
 
-/// e^r in powers of r, from the highest: 1/k!. As far as it counts at r = log(2)/2.
+/// e^r in powers of r, the constant first: of the polynomials that begin with 1 + r the minimax one for |r| up to log(2)/2.
+/// Off by 5e-18 of itself at most, in float by 4e-9, but for rounding.
 template <class T>
-inline constexpr std::array<T, 14> exponential_series = {
-    1. / 6227020800, 1. / 479001600, 1. / 39916800, 1. / 3628800, 1. / 362880, 1. / 40320, 1. / 5040,
-    1. / 720,        1. / 120,       1. / 24,       1. / 6,       1. / 2,      1.,         1.};
+inline constexpr std::array<T, 12> exponential_series = {1,
+                                                         1,
+                                                         0.5000000000000013,
+                                                         0.16666666666666496,
+                                                         0.041666666666512156,
+                                                         0.00833333333344191,
+                                                         0.0013888888947644574,
+                                                         0.00019841269618639897,
+                                                         2.4801489434345362e-05,
+                                                         2.75574874323254e-06,
+                                                         2.7631428062931147e-07,
+                                                         2.5031093056587605e-08};
 template <>
-inline constexpr std::array<float, 8> exponential_series<float> = {1.f / 5040, 1.f / 720, 1.f / 120, 1.f / 24,
-                                                                   1.f / 6,    1.f / 2,   1.f,       1.f};
+inline constexpr std::array<float, 7> exponential_series<float> = {
+    1, 1, 0.49999988f, 0.16666518f, 0.041669652f, 0.00836895f, 0.0013745022f};
 
 }  // namespace raylab::fast

@@ -50,7 +50,7 @@ struct Tasks {
   static std::optional<double> sphere_hit(const raylab::Ray& ray, const Sphere& sphere) {
     const V3 o = in(ray.origin), d = in(ray.direction), c = in(sphere.center);
     const T radius = static_cast<T>(sphere.radius);
-    const Meeting<T> meeting = meet(true, pass(o, d, c), radius, [&] { return meet_nearby(o, d, c, radius); });
+    const Meeting<T> meeting = meet(true, o, d, c, radius);
     if (meeting.met) return meeting.t;
     return {};
   }
@@ -81,7 +81,7 @@ struct Tasks {
     const T cosine = dot(l, n);
     if (!(cosine > 0)) return raylab::Color(0);
     const auto finish = finish_of<T>({{}, shininess}, 7);
-    const T shown = cosine + finish[strength] * highlight(finish[strength] > 0, l, n, v, finish[alpha]);
+    const T shown = cosine + finish[strength] * highlight(finish[strength] > 0, l, -v, n, cosine + dot(v, n), finish[alpha]);
     return out(tinted(shown * intensity, in(color)));
   }
 

@@ -38,10 +38,10 @@ struct Meeting {
   MaskOf<V> inside;  ///< did the ray come from inside?
 };
 
-/// Meetings of rays that start near the sphere's surface, compared with its radius: there the gap, computed without error,
-/// knows more than the foot, whose error is that of R^2. From afar it is the other way round.
+/// Of rays that start near the surface: there the gap, computed without error, knows more than the foot, whose error is that
+/// of R^2. From afar it is the other way round.
 template <class V>
-[[gnu::noinline]] Meeting<V> meet_nearby(const Vec3<V>& o, const Vec3<V>& d, const Vec3<V>& c, V radius) {
+RAYLAB_INLINE Meeting<V> meet_nearby(const Vec3<V>& o, const Vec3<V>& d, const Vec3<V>& c, V radius) {
   const V foot = dot(c - o, d);
   const V gap = gap_to_sphere(o, c, radius);
   const V discriminant = foot * foot - gap;
@@ -55,24 +55,36 @@ template <class V>
   return {met, select(outside, from_outside, from_inside), half, inside};
 }
 
-/// For the rays of `asked`. `near_meeting` gives what meet_nearby() finds, where that is needed.
-template <class V, class NearMeeting>
-RAYLAB_INLINE Meeting<V> meet(MaskOf<V> asked, const Passing<V>& passing, V radius, NearMeeting near_meeting) {
-  const V foot = passing.foot;
+/// Those of `asked` that start near the sphere's surface, compared with its radius. They are rare, and what is done for them
+/// is in functions of its own: so the other rays need not keep at hand what those need.
+template <class V>
+RAYLAB_INLINE MaskOf<V> starts_nearby(MaskOf<V> asked, const Passing<V>& passing, V radius) {
+  if constexpr (formulas.sphere == SphereFormula::textbook) return mask_of<V>(0);
   const V squared = radius * radius;
-  const V discriminant = squared - passing.apart;
+  const V rough_gap = passing.foot * passing.foot - (squared - passing.apart);
+  return asked & (magnitude(rough_gap) < V(1.0f / 16) * squared);
+}
+
+/// Of the rays of `asked`, where none starts near the surface.
+template <class V>
+RAYLAB_INLINE Meeting<V> meet_from_afar(MaskOf<V> asked, const Passing<V>& passing, V radius) {
+  const V foot = passing.foot;
+  const V discriminant = radius * radius - passing.apart;
   const V half = square_root(greatest(V(0), discriminant));
-  const V rough_gap = foot * foot - discriminant;
-  const MaskOf<V> inside = rough_gap < V(0);
+  const MaskOf<V> inside = foot * foot - discriminant < V(0);
   const MaskOf<V> met = asked & (discriminant >= V(0)) & (inside | (foot > V(0)));
-  const V t = foot + select(inside, half, -half);
-  if constexpr (formulas.sphere == SphereFormula::textbook) return {met, t, half, inside};
-  const MaskOf<V> nearby = asked & (magnitude(rough_gap) < V(1.0f / 16) * squared);
-  if (none(nearby)) [[likely]]
-    return {met, t, half, inside};
-  const Meeting<V> near = near_meeting();
-  return {select(nearby, near.met, met), select(nearby, near.t, t), select(nearby, near.half, half),
-          select(nearby, near.inside, inside)};
+  return {met, foot + select(inside, half, -half), half, inside};
+}
+
+/// Of the rays of `asked`, from wherever they start.
+template <class V>
+[[gnu::noinline]] Meeting<V> meet(MaskOf<V> asked, Vec3<V> o, Vec3<V> d, Vec3<V> c, V radius) {
+  const Passing<V> passing = pass(o, d, c);
+  const MaskOf<V> nearby = starts_nearby(asked, passing, radius);
+  const Meeting<V> far = meet_from_afar(asked, passing, radius);
+  const Meeting<V> near = meet_nearby(o, d, c, radius);
+  return {select(nearby, near.met, far.met), select(nearby, near.t, far.t), select(nearby, near.half, far.half),
+          select(nearby, near.inside, far.inside)};
 }
 
 /// The distance at which a ray that starts on a sphere and leaves it inwards meets its far side (D6).

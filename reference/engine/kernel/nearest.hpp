@@ -82,18 +82,33 @@ class NearestSearch {
     if (none(close)) return;
     const Mask asked = spheres_.may_meet(ray.leaves, close, i, passing, best.t);
     if (none(asked)) return;
-    const Meeting<V> meeting = spheres_.meet_one(ray.origin, ray.direction, asked, passing, i);
+    const V radius = spheres_.radius(i);
+    if (any(starts_nearby(asked, passing, radius))) [[unlikely]]
+      return meet_sphere_nearby(ray, asked, i, best);
+    const Meeting<V> meeting = meet_from_afar(asked, passing, radius);
+    update(meeting.met, meeting.t, spheres_.place_of(i), best);
+  }
+
+  [[gnu::noinline]] void meet_sphere_nearby(const Ray<V>& ray, Mask asked, std::size_t i, Nearest<V>& best) const {
+    const Meeting<V> meeting = meet(asked, ray.origin, ray.direction, spheres_.center(i), spheres_.radius(i));
     update(meeting.met, meeting.t, spheres_.place_of(i), best);
   }
 
   /// The nearer one wins; of equal t the one that stands first in the scene (D7).
-  void update(Mask met, V t, Index place, Nearest<V>& best) const {
-    Mask closer = met & (t < best.t);
+  RAYLAB_INLINE void update(Mask met, V t, Index place, Nearest<V>& best) const {
     const Mask tied = met & (t == best.t);
     if (any(tied)) [[unlikely]]
-      closer = closer | (tied & stands_before(tied, place, best.place));
+      return update_tied(met, tied, t, place, best);
+    replace(met & (t < best.t), t, place, best);
+  }
+
+  RAYLAB_INLINE void replace(Mask closer, V t, Index place, Nearest<V>& best) const {
     best.t = select(closer, t, best.t);
     best.place = select(closer, place, best.place);
+  }
+
+  [[gnu::noinline]] void update_tied(Mask met, Mask tied, V t, Index place, Nearest<V>& best) const {
+    replace((met & (t < best.t)) | (tied & stands_before(tied, place, best.place)), t, place, best);
   }
 
   Mask stands_before(Mask lanes, Index a, Index b) const {
@@ -164,9 +179,19 @@ class NearestSearch {
   void on_sphere(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask lanes, Hit<V>& hit) const {
     const Ball<V> ball = spheres_.balls_at(places, lanes);
     const Passing<V> passing = pass(ray.origin, ray.direction, ball.center);
-    const Meeting<V> meeting = meet(lanes, passing, ball.radius, [&]() RAYLAB_ATTRIBUTE {
-      return meet_nearby(ray.origin, ray.direction, ball.center, ball.radius);
-    });
+    if (any(starts_nearby(lanes, passing, ball.radius))) [[unlikely]]
+      return on_sphere_nearby(ray, nearest, ball, lanes, hit);
+    on_sphere(ray, nearest, ball, passing, meet_from_afar(lanes, passing, ball.radius), lanes, hit);
+  }
+
+  [[gnu::noinline]] void on_sphere_nearby(const Ray<V>& ray, const Nearest<V>& nearest, const Ball<V>& ball, Mask lanes,
+                                          Hit<V>& hit) const {
+    const Meeting<V> meeting = meet(lanes, ray.origin, ray.direction, ball.center, ball.radius);
+    on_sphere(ray, nearest, ball, pass(ray.origin, ray.direction, ball.center), meeting, lanes, hit);
+  }
+
+  RAYLAB_INLINE void on_sphere(const Ray<V>& ray, const Nearest<V>& nearest, const Ball<V>& ball, const Passing<V>& passing,
+                               const Meeting<V>& meeting, Mask lanes, Hit<V>& hit) const {
     const Mask own = lanes & ray.inwards & (ray.leaves == nearest.place);
     hit.inside = lanes & (own | meeting.inside);
     const V along = select(own, nearest.t - passing.foot, select(meeting.inside, meeting.half, -meeting.half));

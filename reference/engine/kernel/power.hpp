@@ -2,12 +2,26 @@
 
 namespace raylab::fast::RAYLAB_TARGET {
 
-/// Horner's scheme: coefficients from the highest power down to the constant.
+/// The sum of terms[i] x^i.
+template <class V, std::size_t n>
+RAYLAB_INLINE V sum_of_powers(V x, const std::array<V, n>& terms) {
+  if constexpr (n == 1) {
+    return terms[0];
+  } else {
+    std::array<V, (n + 1) / 2> pairs;
+    for (std::size_t i = 0; i < n / 2; ++i) pairs[i] = terms[2 * i + 1] * x + terms[2 * i];
+    if constexpr (n % 2 == 1) pairs[n / 2] = terms[n - 1];
+    return sum_of_powers(x * x, pairs);
+  }
+}
+
+/// Coefficients from the constant up. By Estrin's scheme, in pairs and pairs of pairs: by Horner's each step would wait for
+/// the one before.
 template <class V, std::size_t n>
 RAYLAB_INLINE V polynomial(V x, const std::array<NumberOf<V>, n>& coefficients) {
-  V sum(coefficients[0]);
-  for (std::size_t i = 1; i < n; ++i) sum = sum * x + V(coefficients[i]);
-  return sum;
+  std::array<V, n> terms;
+  for (std::size_t i = 0; i < n; ++i) terms[i] = V(coefficients[i]);
+  return sum_of_powers(x, terms);
 }
 
 /// log(cosine2 / squared), where sine2 + cosine2 = squared: squares of the legs and the hypotenuse of a triangle. Of the
@@ -48,25 +62,25 @@ RAYLAB_INLINE V power_of_cosine(MaskOf<V> asked, V cosine, V alpha) {
   return select(above, exponential(select(above, y, V(0))), V(0));
 }
 
-/// max(0, H.N)^alpha with H = unit(l + v), for the lanes of `asked`; 0 in the others.
+/// max(0, H.N)^alpha with H = unit(l - d), for the lanes of `asked`; 0 in the others. `along` is (l - d).n, the sum of two
+/// cosines that are known.
 ///
-/// Neither H nor its angle is worked out: |l + v|^2 cos^2 and |l + v|^2 sin^2 come from the parts of l + v along n and
+/// Neither H nor its angle is worked out: |l - d|^2 cos^2 and |l - d|^2 sin^2 come from the parts of l - d along n and
 /// across it. A cosine rounded next to 1 would lose 12 bits of a peak at alpha = 1000; the sine keeps them.
 template <class V>
-RAYLAB_INLINE V highlight(MaskOf<V> asked, const Vec3<V>& l, const Vec3<V>& n, const Vec3<V>& v, V alpha) {
+RAYLAB_INLINE V highlight(MaskOf<V> asked, const Vec3<V>& l, const Vec3<V>& d, const Vec3<V>& n, V along, V alpha) {
   using T = NumberOf<V>;
-  const Vec3<V> sum = l + v;
-  const V along = dot(sum, n);
+  const Vec3<V> sum = l - d;
   if constexpr (formulas.power == PowerFormula::cosine)
     return power_of_cosine(asked, along / square_root(dot(sum, sum)), alpha);
   const Vec3<V> across = sum - along * n;
-  const V squared = dot(sum, sum);
   const V sine2 = dot(across, across);
+  const V cosine2 = greatest(along * along, V(std::numeric_limits<T>::min()));
+  const V squared = sine2 + cosine2;
   // log(1 - x) <= -x: what is certainly below e^-cut_off is nothing beside the cosine that it is added to.
   const V half_alpha = V(0.5f) * alpha;
   const auto seen = asked & (along > V(0)) & (half_alpha * sine2 < V(cut_off<T>) * squared);
   if (none(seen)) return V(0);
-  const V cosine2 = greatest(along * along, V(std::numeric_limits<T>::min()));
   const V y = half_alpha * log_of_ratio(sine2, cosine2, squared);
   const auto above = seen & (y > V(-cut_off<T>));
   return select(above, exponential(select(above, y, V(0))), V(0));

@@ -59,7 +59,15 @@ class ShadowSearch {
     if (none(close)) return close;
     const Mask asked = spheres_.may_meet(hit.place, close, i, passing, light.distance);
     if (none(asked)) return asked;
-    const Meeting<V> meeting = spheres_.meet_one(hit.point, light.l, asked, passing, i);
+    const V radius = spheres_.radius(i);
+    if (any(starts_nearby(asked, passing, radius))) [[unlikely]]
+      return blocked_nearby(hit, light, asked, i);
+    const Meeting<V> meeting = meet_from_afar(asked, passing, radius);
+    return meeting.met & (meeting.t < light.distance);
+  }
+
+  [[gnu::noinline]] Mask blocked_nearby(const Hit<V>& hit, const Seen<V>& light, Mask asked, std::size_t i) const {
+    const Meeting<V> meeting = meet(asked, hit.point, light.l, spheres_.center(i), spheres_.radius(i));
     return meeting.met & (meeting.t < light.distance);
   }
 

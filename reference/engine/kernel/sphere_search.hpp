@@ -42,7 +42,7 @@ class SphereSearch {
   Ball<V> balls_at(const Places<V>& places, Mask lanes) const {
     if (places.same()) {
       const auto sphere = static_cast<std::size_t>(places.common() - plane_count_);
-      return {center(sphere), V(scene_.spheres.radius[sphere])};
+      return {center(sphere), radius(sphere)};
     }
     const Index sphere = sphere_of(places.each(), lanes);
     return {centers(sphere), gather(scene_.spheres.radius.data(), sphere)};
@@ -62,11 +62,7 @@ class SphereSearch {
     return close & ahead & (passing.foot - radius <= limit) & !(leaves == place_of(i));
   }
 
-  RAYLAB_INLINE Meeting<V> meet_one(const Vec3<V>& origin, const Vec3<V>& direction, Mask asked, const Passing<V>& passing,
-                                    std::size_t i) const {
-    return meet(asked, passing, V(scene_.spheres.radius[i]),
-                [&]() RAYLAB_ATTRIBUTE { return meet_nearby_one(origin, direction, i); });
-  }
+  V radius(std::size_t i) const { return V(scene_.spheres.radius[i]); }
 
   /// The spheres of a leaf from place i on, as many as a Row holds. What stands behind the leaf is asked too: it does no
   /// harm.
@@ -80,8 +76,9 @@ class SphereSearch {
     const MaskOf<Row> asked = (passing.apart <= load<Row>(&spheres.reach[i])) & !own;
     if (none(asked)) return {asked, Row(0), Row(0), asked};
     const Row radius = load<Row>(&spheres.radius[i]);
-    return meet(asked, passing, radius,
-                [&]() RAYLAB_ATTRIBUTE { return meet_nearby(o, spread<Row>(ray.direction), c, radius); });
+    if (any(starts_nearby(asked, passing, radius))) [[unlikely]]
+      return meet(asked, o, spread<Row>(ray.direction), c, radius);
+    return meet_from_afar(asked, passing, radius);
   }
 
   /// Calls visit(i) for the spheres from `begin` up to `end` that the beam reaches, until it returns false.
@@ -113,10 +110,6 @@ class SphereSearch {
   }
 
  private:
-  [[gnu::noinline]] Meeting<V> meet_nearby_one(const Vec3<V>& origin, const Vec3<V>& direction, std::size_t i) const {
-    return meet_nearby(origin, direction, center(i), V(scene_.spheres.radius[i]));
-  }
-
   /// A hierarchy is searched for the rays of a pack together where they are some, and stay together; if they turn out to
   /// meet too many leaves, or are few, for each of them alone.
   static constexpr std::size_t least_together = 6;
