@@ -81,7 +81,7 @@ struct Tasks {
     const T cosine = dot(l, n);
     if (!(cosine > 0)) return raylab::Color(0);
     const auto finish = finish_of<T>({{}, shininess}, 7);
-    const T shown = cosine + finish[strength] * highlight(finish[strength] > 0, l, -v, n, cosine + dot(v, n), finish[alpha]);
+    const T shown = cosine + finish[strength] * highlight(finish[strength] > 0, l, n, v, finish[alpha]);
     return out(tinted(shown * intensity, in(color)));
   }
 

@@ -29,13 +29,6 @@ RAYLAB_INLINE PointSeen<V> see_point(const Vec3<V>& from, const Vec3<V>& light) 
   return {(inverse * beyond) * way, r, inverse * r};
 }
 
-/// How a surface is looked at.
-template <class V>
-struct View {
-  const Vec3<V>& d;  ///< unit, of the ray that has met it
-  V cosine;          ///< -d.n; nothing where there are no highlights
-};
-
 /// Light beyond the largest number is infinite, but black stays black.
 template <class V>
 RAYLAB_INLINE Vec3<V> tinted(V light, const Vec3<V>& color) {
@@ -57,23 +50,22 @@ class Lighting {
   /// All the light that surfaces send back against `d`, but for their colors.
   V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
     V sum(scene_.ambient);
-    const View<V> view = {d, scene_.features.highlights ? -dot(d, hit.normal) : V(0)};
     const Area<T> area = scene_.features.shadows ? area_of(hit.point, lit) : Area<T>{};
     for (const PreparedPointLight<T>& light : scene_.point_lights) {
       const PointSeen<V> point = see_point(hit.point, spread<V>(light.position));
       const V strength = V(light.intensity) * (point.fall_off * point.fall_off);
-      sum = sum + light_from({point.l, point.distance, light.planes}, strength, hit, area, view, look, lit, counts);
+      sum = sum + light_from({point.l, point.distance, light.planes}, strength, hit, area, d, look, lit, counts);
     }
     for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {
       const Seen<V> seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.planes};
-      sum = sum + light_from(seen, V(light.intensity), hit, area, view, look, lit, counts);
+      sum = sum + light_from(seen, V(light.intensity), hit, area, d, look, lit, counts);
     }
     return sum;
   }
 
  private:
   /// 0 where the light is not seen; from so far away that distances are infinite, it is not.
-  RAYLAB_INLINE V light_from(const Seen<V>& light, V strength, const Hit<V>& hit, const Area<T>& area, const View<V>& view,
+  RAYLAB_INLINE V light_from(const Seen<V>& light, V strength, const Hit<V>& hit, const Area<T>& area, const Vec3<V>& d,
                              const Look<V>& look, Mask lit, RayCounts& counts) const {
     const V cosine = dot(light.l, hit.normal);
     lit = lit & (cosine > V(0));
@@ -85,14 +77,13 @@ class Lighting {
       lit = shadows_.unblocked(hit, area, light, lit);
       if (none(lit)) return V(0);
     }
-    const V shown = scene_.features.highlights ? cosine + shine(light, cosine, hit, view, look, lit) : cosine;
+    const V shown = scene_.features.highlights ? cosine + shine(light, hit, d, look, lit) : cosine;
     return select(lit, shown * strength, V(0));
   }
 
-  RAYLAB_INLINE V shine(const Seen<V>& light, V cosine, const Hit<V>& hit, const View<V>& view, const Look<V>& look,
-                        Mask lit) const {
+  RAYLAB_INLINE V shine(const Seen<V>& light, const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit) const {
     const V k_s = look[strength];
-    return k_s * highlight(lit & (k_s > V(0)), light.l, view.d, hit.normal, cosine + view.cosine, look[alpha]);
+    return k_s * highlight(lit & (k_s > V(0)), light.l, hit.normal, -d, look[alpha]);
   }
 
   const Prepared<T>& scene_;

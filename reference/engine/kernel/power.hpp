@@ -62,15 +62,15 @@ RAYLAB_INLINE V power_of_cosine(MaskOf<V> asked, V cosine, V alpha) {
   return select(above, exponential(select(above, y, V(0))), V(0));
 }
 
-/// max(0, H.N)^alpha with H = unit(l - d), for the lanes of `asked`; 0 in the others. `along` is (l - d).n, the sum of two
-/// cosines that are known.
+/// max(0, H.N)^alpha with H = unit(l + v), for the lanes of `asked`; 0 in the others.
 ///
-/// Neither H nor its angle is worked out: |l - d|^2 cos^2 and |l - d|^2 sin^2 come from the parts of l - d along n and
+/// Neither H nor its angle is worked out: |l + v|^2 cos^2 and |l + v|^2 sin^2 come from the parts of l + v along n and
 /// across it. A cosine rounded next to 1 would lose 12 bits of a peak at alpha = 1000; the sine keeps them.
 template <class V>
-RAYLAB_INLINE V highlight(MaskOf<V> asked, const Vec3<V>& l, const Vec3<V>& d, const Vec3<V>& n, V along, V alpha) {
+RAYLAB_INLINE V highlight(MaskOf<V> asked, const Vec3<V>& l, const Vec3<V>& n, const Vec3<V>& v, V alpha) {
   using T = NumberOf<V>;
-  const Vec3<V> sum = l - d;
+  const Vec3<V> sum = l + v;
+  const V along = dot(sum, n);
   if constexpr (formulas.power == PowerFormula::cosine)
     return power_of_cosine(asked, along / square_root(dot(sum, sum)), alpha);
   const Vec3<V> across = sum - along * n;
