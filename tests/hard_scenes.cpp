@@ -224,6 +224,10 @@ void print(const HardScene& scene, const Trial& trial) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 2 || (argc > 1 && argv[1][0] == '-')) {
+    std::cerr << "usage: raylab-hard-scenes [FOLDER-FOR-PICTURES]\n";
+    return 2;
+  }
   const std::vector<Subject> subjects = load_subjects(true);
   bool all_hold = true;
   const auto fail = [&](const std::string& sentence) {
