@@ -13,7 +13,7 @@ class NearestSearch {
 
   explicit NearestSearch(const Prepared<T>& scene) : scene_(scene), spheres_(scene) {}
 
-  Nearest<V> nearest_surface(const Ray<V>& ray, Mask lanes) const {
+  RAYLAB_INLINE Nearest<V> nearest_surface(const Ray<V>& ray, Mask lanes) const {
     Nearest<V> best = {V(std::numeric_limits<T>::infinity()), Index(-1)};
     for (Whole i = 0; i < spheres_.plane_count(); ++i) {
       const PreparedPlane<T>& plane = scene_.planes[static_cast<std::size_t>(i)];
@@ -32,7 +32,7 @@ class NearestSearch {
   Ball<V> balls_at(const Places<V>& places, Mask lanes) const { return spheres_.balls_at(places, lanes); }
 
   /// The point and the normal that the rays of `met` have reached.
-  Hit<V> hit_at(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask met) const {
+  RAYLAB_INLINE Hit<V> hit_at(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask met) const {
     Hit<V> hit;
     hit.place = nearest.place;
     hit.point = ray.origin + nearest.t * ray.direction;
@@ -51,7 +51,7 @@ class NearestSearch {
   /// To ask so many is faster than to find out which ones a beam reaches.
   static constexpr std::size_t few_spheres = 8;
 
-  void nearest_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
+  RAYLAB_INLINE void nearest_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
     if (scene_.spheres.count <= few_spheres) {
       for (std::size_t i = 0; i < scene_.spheres.count; ++i) meet_sphere(ray, lanes, i, best);
     } else {

@@ -2,6 +2,9 @@
 // packs for numbers, and once for single numbers: in a namespace RAYLAB_TARGET of its own each time, so that the program
 // holds all of them. So these headers have no include guards and include nothing: what they need, and what they are to be
 // called, the two files say that include this one. Each stands here behind those that it needs.
+//
+// What every pack comes by on its way is compiled into one function, RAYLAB_INLINE: with calls in between, before and after
+// which all registers go to memory, it took 8 % more instructions. What few packs come by is [[gnu::noinline]].
 
 // clang-format off
 #include "reference/engine/kernel/scalar.hpp"

@@ -51,7 +51,7 @@ class Sampler {
   };
 
   /// The colors of a tile whose top left pixel is at (column, row) of the image.
-  Vec3<V> tile(int column, int row, int columns, int rows) {
+  RAYLAB_INLINE Vec3<V> tile(int column, int row, int columns, int rows) {
     // Halves of whole numbers: exact in any T.
     const ImageSize size = scene_.settings.size;
     const V x = V(static_cast<T>(column) + T(0.5) - T(0.5) * static_cast<T>(size.width)) + tile_x_;
