@@ -3,8 +3,9 @@
 // holds all of them. So these headers have no include guards and include nothing: what they need, and what they are to be
 // called, the two files say that include this one. Each stands here behind those that it needs.
 //
-// What every pack comes by on its way is compiled into one function, RAYLAB_INLINE: with calls in between, before and after
-// which all registers go to memory, it took 8 % more instructions. What few packs come by is [[gnu::noinline]].
+// What every pack comes by is compiled into few functions, RAYLAB_INLINE: the search for the nearest surface into that for a
+// bounce, a tile into that for rows. Around a call all registers go to memory: with calls there it took 8 % more
+// instructions. What few packs come by is [[gnu::noinline]].
 
 // clang-format off
 #include "reference/engine/kernel/scalar.hpp"

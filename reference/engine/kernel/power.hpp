@@ -38,7 +38,7 @@ RAYLAB_INLINE V log_of_ratio(V sine2, V cosine2, V squared) {
   k = select(near_peak, V(0), k);
   const V s = select(near_peak, -sine2, m - squared) / select(near_peak, squared + (squared - sine2), m + squared);
   const V z = s * s;
-  const V r = polynomial(z, atanh_series<T>);
+  const V r = polynomial(z, atanh_polynomial<T>);
   return k * V(log_2_high<T>) + ((s + s) + (s * z * r + k * V(log_2_low<T>)));
 }
 
@@ -49,7 +49,7 @@ RAYLAB_INLINE V exponential(V y) {
   const V k_and_magic = y * V(T(std::numbers::log2e)) + V(magic<T>);
   const V k = k_and_magic - V(magic<T>);
   const V r = (y - k * V(log_2_high<T>)) - k * V(log_2_low<T>);
-  return polynomial(r, exponential_series<T>) * power_of_two(k_and_magic);
+  return polynomial(r, exponential_polynomial<T>) * power_of_two(k_and_magic);
 }
 
 /// cosine^alpha for the lanes of `asked` where the cosine is positive; 0 in the others.
