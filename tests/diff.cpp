@@ -7,6 +7,7 @@
 #include "core/image/image_file.hpp"
 #include "core/image/reference_file.hpp"
 #include "core/report/diff_report.hpp"
+#include "tests/sample_reference.hpp"
 #include "tests/support.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -21,41 +22,8 @@ using namespace raylab::test;
 
 namespace {
 
-constexpr int width = 160, height = 120;  // 19200 pixels, of which 19 may be outside
-
-/// Smooth, with no symmetry, and far from black and white.
-Image smooth_picture(int w = width, int h = height) {
-  Image image(w, h);
-  for (int y = 0; y < h; ++y)
-    for (int x = 0; x < w; ++x) {
-      const double u = static_cast<double>(x) / w, v = static_cast<double>(y) / h;
-      image.at(x, y) = Color(0.2 + 0.3 * u, 0.2 + 0.4 * v * v, 0.3 + 0.2 * std::sin(5 * u + 2 * v));
-    }
-  return image;
-}
-
-Reference reference_of(const Image& value) {
-  const std::size_t pixels = value.pixels.size();
-  Reference reference{{value, value, value},
-                      {},
-                      std::vector<double>(pixels, 1.0),
-                      std::vector<double>(pixels, 0.0),
-                      std::vector<GeometryId>(pixels, no_geometry)};
-  reference.scene = "scene";
-  reference.stage = 5;
-  reference.planes = 1;
-  reference.spheres = 2;
-  return reference;
-}
-
 Comparison compared(const Image& image, const Reference& reference) {
   return compare(image, NumberFormat::float64, reference);
-}
-
-/// `count` pixels of the picture moved by `by`, no two near one another.
-Image with_moved(Image image, int count, double by) {
-  for (int k = 0; k < count; ++k) image.at(7 * (k % 20) + 3, 7 * (k / 20) + 3) += Color(by);
-  return image;
 }
 
 std::vector<std::string> kinds(const Image& image, const Reference& reference) {
@@ -70,18 +38,6 @@ Image mapped(const Image& image, Source source) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) result.at(x, y) = source(x, y);
   return result;
-}
-
-/// Two spheres over a plane, as objects.
-Reference with_objects() {
-  Reference reference = reference_of(smooth_picture());
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      GeometryId& object = reference.object[static_cast<std::size_t>(y * width + x)];
-      const auto in_disc = [&](int cx, int cy, int r) { return (x - cx) * (x - cx) + (y - cy) * (y - cy) < r * r; };
-      object = in_disc(40, 40, 20) ? 1 : in_disc(110, 60, 30) ? 2 : y > 90 ? 0 : no_geometry;
-    }
-  return reference;
 }
 
 using Kinds = std::vector<std::string>;
@@ -361,89 +317,6 @@ TEST_CASE("diff: an image with no number in it has no errors to tell", "[diff]")
 TEST_CASE("diff: some wrong pixels here and there have no pattern", "[diff]") {
   const Reference reference = with_objects();
   CHECK(kinds(with_moved(reference.value, 200, 0.4), reference).empty());
-}
-
-TEST_CASE("diff: a reference file gives back what was written, in floats", "[diff]") {
-  const TemporaryFolder folder;
-  Reference reference = with_objects();
-  for (std::size_t k = 0; k < reference.margin.size(); ++k) {
-    reference.margin[k] = std::pow(0.9, static_cast<double>(k % 500));
-    reference.sensitivity[k] = 1e-16 * static_cast<double>(k % 77);
-    if (k % 9 == 0) reference.least.pixels[k] -= Color(0.01);
-  }
-  for (const bool with_each : {false, true}) {
-    if (with_each)
-      reference.each =
-          PixelRanges{with_moved(reference.value, 50, 0.1), reference.least, with_moved(reference.value, 50, 0.1)};
-    write_reference(folder / "r.exr", reference);
-    const Reference read = read_reference(folder / "r.exr");
-    CHECK(read.scene == "scene");
-    CHECK(read.stage == 5);
-    CHECK(read.planes == 1);
-    CHECK(read.spheres == 2);
-    CHECK(read.object == reference.object);
-    CHECK(read.each.has_value() == with_each);
-    const Reference stored = as_stored(reference);
-    CHECK(read.value.pixels == stored.value.pixels);
-    CHECK(read.least.pixels == stored.least.pixels);
-    CHECK(read.greatest.pixels == stored.greatest.pixels);
-    CHECK(read.margin == stored.margin);
-    CHECK(read.sensitivity == stored.sensitivity);
-    if (with_each) CHECK(read.each->value.pixels == stored.each->value.pixels);
-    for (std::size_t k = 0; k < read.margin.size(); ++k) {
-      REQUIRE(read.value.pixels[k] == within(6e-8, reference.value.pixels[k]));
-      for (int channel = 0; channel < 3; ++channel) {
-        const double below = reference.value.pixels[k][channel] - reference.least.pixels[k][channel];
-        const double read_below = read.value.pixels[k][channel] - read.least.pixels[k][channel];
-        REQUIRE(read_below >= below - 2e-7);
-        REQUIRE(read_below <= below * (1 + 1.0 / 32) + 2e-7);
-      }
-      REQUIRE(read.margin[k] <= reference.margin[k]);
-      REQUIRE(read.margin[k] >= 0.79 * reference.margin[k]);
-      REQUIRE(read.sensitivity[k] >= reference.sensitivity[k]);
-      REQUIRE(read.sensitivity[k] <= 1.26 * reference.sensitivity[k]);
-    }
-  }
-}
-
-TEST_CASE("diff: both ways to clamp are read back, up to white", "[diff]") {
-  const TemporaryFolder folder;
-  Reference reference = reference_of(Image(4, 4, Color(0.4)));
-  const Image white(4, 4, Color(1));
-  reference.each = PixelRanges{white, white, white};
-  write_reference(folder / "r.exr", reference);
-  CHECK(read_reference(folder / "r.exr").each->value.pixels == white.pixels);
-}
-
-TEST_CASE("diff: a broken reference is refused", "[diff]") {
-  const TemporaryFolder folder;
-  const auto patched = [&](const std::string& from, const std::string& to) {
-    write_reference(folder / "r.exr", with_objects());
-    std::string bytes = bytes_of(folder / "r.exr");
-    const std::size_t place = bytes.find(from);
-    REQUIRE(place != std::string::npos);
-    bytes.replace(place, to.size(), to);
-    std::ofstream(folder / "p.exr", std::ios::binary) << bytes;
-    return folder / "p.exr";
-  };
-  CHECK_THROWS_WITH(read_reference(patched("margin", "mardin")), ContainsSubstring("without the channel margin"));
-  Reference wrong = with_objects();
-  wrong.value.at(3, 3) = Color(1.5);
-  write_reference(folder / "w.exr", wrong);
-  CHECK_THROWS_WITH(read_reference(folder / "w.exr"), ContainsSubstring("values that no scene gives"));
-  wrong = with_objects();
-  wrong.margin[7] = 3;
-  write_reference(folder / "w.exr", wrong);
-  CHECK_THROWS_WITH(read_reference(folder / "w.exr"), ContainsSubstring("values that no scene gives"));
-}
-
-TEST_CASE("diff: any image is a reference that knows its values alone", "[diff]") {
-  const TemporaryFolder folder;
-  write_image(folder / "a.png", smooth_picture());
-  const Reference reference = read_reference(folder / "a.png");
-  CHECK_FALSE(reference.has_word());
-  CHECK(reference.format == NumberFormat::uint8);
-  CHECK(compare(smooth_picture(), NumberFormat::float64, reference).same);
 }
 
 TEST_CASE("diff: objects have the names that messages about the scene file use", "[diff]") {
