@@ -7,6 +7,7 @@
 #include "core/render/render.hpp"
 #include "core/scene/read_scene.hpp"
 #include "reference/engine/engine.hpp"
+#include "reference/engine/tasks.hpp"
 #include "tests/support.hpp"
 
 #include <algorithm>
@@ -175,4 +176,18 @@ TEST_CASE("engine: in float a flake that is far from zero is that in double to 6
   for (PointLight& light : scene.point_lights) light.position += away;
   for (Sphere& ball : scene.clouds[0].spheres) ball.center += away;
   CHECK(decibels(float_errors(scene, 5)) >= 60);
+}
+
+TEST_CASE("engine: in float a highlight is that in double to a few roundings, from its peak down to where it ends",
+          "[engine]") {
+  const StageTable in_float = fast_table(Precision::f32), in_double = fast_table(Precision::f64);
+  const Vec3 n = {0, 0, 1};
+  for (int k = 0; k <= 400; ++k) {
+    const double tilt = 0.001 * k;
+    const Vec3 v = {static_cast<float>(std::sin(tilt)), 0, static_cast<float>(std::cos(tilt))};  // the same in either
+    const double there = in_float.blinn_phong(n, n, v, 1, Color(1), 400).x;
+    const double truth = in_double.blinn_phong(n, n, v, 1, Color(1), 400).x;
+    INFO("tilt " << tilt);
+    REQUIRE(std::abs(there - truth) <= 4 * 0x1p-24 * truth);
+  }
 }
