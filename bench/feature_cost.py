@@ -34,13 +34,17 @@ MIRRORS = ["if (scene_.features.mirrors && goes_on(from)) send_reflected(from, h
 MIRRORS_BESIDE_GLASS = [("select(glass, parts.reflected, look[mirror]), met", "parts.reflected, glass")]
 BOUNCES = GLASS + MIRRORS + ["while (!waiting_.empty()) {"]
 HIGHLIGHTS = [("scene_.features.highlights ? cosine + shine(light, hit, d, look, lit) : cosine", "cosine")]
-SHADOWS = [("scene_.features.shadows ? area_of(hit.point, lit) : Area<T>{}", "{}"), "if (scene_.features.shadows) {"]
+SHADOWS = [
+    "if (scene_.features.shadows) return light_on<true>",
+    ("shadows ? area_of(hit.point, lit) : Area<T>{}", "{}"),
+    "if constexpr (shadows) {",
+]
 DIRECTIONAL_LIGHTS = ["for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {"]
 POINT_LIGHTS = ["for (const PreparedPointLight<T>& light : scene_.point_lights) {"]
 HIERARCHY = ["if (group->hierarchy) search_nearest(", "if (opaque.hierarchy && any(open))"]
 GIANTS = ["spheres_.for_each_reached(beam, group->begin, group->loop_end,", "spheres_.for_each_reached(beam, opaque.begin, opaque.loop_end,"]
-ADAPTIVE = [("scene_.adaptive ? adaptive_pixel(x, y, lanes) : ", "")]
-SAMPLES = [("if (scene_.samples.size() == 1) return", "return")]
+ADAPTIVE = ["else if (scene_.adaptive)"]
+SAMPLES = ADAPTIVE + [("if (scene_.samples.size() == 1)  // through the center\n      ", ""), "else\n      tiles("]
 
 
 KERNELS = {

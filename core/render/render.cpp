@@ -3,9 +3,11 @@
 #include "core/render/thread_seconds.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <cstdint>
 #include <ctime>
 #include <exception>
 #include <map>
@@ -25,8 +27,18 @@ struct NonFinite {
   PixelPlace first{};
 };
 
+/// Of numbers from 0 to 1 none has the highest bit of the exponent, which all from 2 on have, infinity and NaN too: so it
+/// takes one operation a number to find out that there is nothing to be found.
+bool may_be_non_finite(std::span<const Color> pixels) {
+  std::uint64_t all = 0;
+  for (const Color& c : pixels)
+    all |= std::bit_cast<std::uint64_t>(c.x) | std::bit_cast<std::uint64_t>(c.y) | std::bit_cast<std::uint64_t>(c.z);
+  return (all >> 62 & 1) != 0;
+}
+
 NonFinite find_non_finite(std::span<const Color> pixels, int first_row, int width) {
   NonFinite found;
+  if (!may_be_non_finite(pixels)) return found;
   for (std::size_t k = 0; k < pixels.size(); ++k) {
     if (is_finite(pixels[k])) continue;
     const int place = static_cast<int>(k);
@@ -43,6 +55,7 @@ class Bands {
         size_(size),
         count_((size.height + band_rows - 1) / band_rows),
         ahead_(static_cast<int>(4 * threads)),
+        worth_waking_(2 * threads),
         cancel_(cancel) {
     start_threads(std::min(threads, static_cast<unsigned>(count_)));
   }
@@ -52,7 +65,7 @@ class Bands {
       const std::lock_guard lock(mutex_);
       stop_ = true;
     }
-    changed_.notify_all();
+    taken_changed_.notify_all();
     for (std::thread& thread : threads_) thread.join();
   }
 
@@ -61,12 +74,14 @@ class Bands {
 
   int count() const { return count_; }
 
-  /// The pixels of a band, once they are there; meanwhile calls `waiting` every 50 ms. Bands are taken in order.
+  /// The pixels of a band, once they are there; meanwhile calls `waiting` every 50 ms. Bands are taken in order, and valid
+  /// until the next is.
   template <class Waiting>
-  std::vector<Color> take(int band, Waiting waiting) {
+  std::span<const Color> take(int band, Waiting waiting) {
     std::unique_lock lock(mutex_);
+    if (taken_ > 0) spare_.push_back(std::move(newest_taken_));
     while (!finished_.contains(band) && !failure_ && !cancel_) {
-      changed_.wait_for(lock, std::chrono::milliseconds(50));
+      finished_changed_.wait_for(lock, std::chrono::milliseconds(50));
       lock.unlock();
       waiting();
       lock.lock();
@@ -74,8 +89,9 @@ class Bands {
     if (failure_) std::rethrow_exception(failure_);
     if (cancel_) throw Cancelled{};
     taken_ = band + 1;
-    changed_.notify_all();
-    return std::move(finished_.extract(band).mapped());
+    taken_changed_.notify_all();
+    newest_taken_ = std::move(finished_.extract(band).mapped());
+    return newest_taken_;
   }
 
   double done() const { return static_cast<double>(rows_done_) / size_.height; }
@@ -108,21 +124,23 @@ class Bands {
       const std::lock_guard lock(mutex_);
       if (!failure_) failure_ = std::current_exception();
       stop_ = true;
+      finished_changed_.notify_one();
+      taken_changed_.notify_all();
     }
-    changed_.notify_all();
   }
 
   /// Keeps a thread from running far ahead of a slow band: finished bands wait in memory.
   void wait_for_turn(int band) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return stop_ || band < taken_ + ahead_; });
+    taken_changed_.wait(lock, [&] { return stop_ || band < taken_ + ahead_; });
   }
 
   void compute(int band) {
     const int first_row = band * band_rows;
     const int rows = std::min(band_rows, size_.height - first_row);
     const auto width = static_cast<std::size_t>(size_.width);
-    std::vector<Color> pixels(static_cast<std::size_t>(rows) * width);
+    std::vector<Color> pixels = spare();
+    pixels.resize(static_cast<std::size_t>(rows) * width);
     RayCounts counts;
     const double start = thread_seconds();
     for (int row = 0; row < rows;) {
@@ -139,7 +157,16 @@ class Bands {
     totals_.rays += counts;
     totals_.trace_seconds += took;
     finished_.emplace(band, std::move(pixels));
-    changed_.notify_all();
+    if (finished_.size() >= worth_waking_ || rows_done_ == size_.height) finished_changed_.notify_one();
+  }
+
+  /// Memory that was used before, if there is some: to get new pages from the system takes longer than to fill them.
+  std::vector<Color> spare() {
+    const std::lock_guard lock(mutex_);
+    if (spare_.empty()) return {};
+    std::vector<Color> pixels = std::move(spare_.back());
+    spare_.pop_back();
+    return pixels;
   }
 
   /// Bands end in any order.
@@ -154,13 +181,17 @@ class Bands {
   const ImageSize size_;
   const int count_;
   const int ahead_;
+  const std::size_t
+      worth_waking_;  // so many finished bands: to be woken for each takes a short frame a twentieth of its time
   const std::atomic<bool>& cancel_;
   std::atomic<bool> stop_ = false;
   std::atomic<int> next_ = 0;
   std::atomic<int> rows_done_ = 0;
   std::mutex mutex_;  // guards what follows
-  std::condition_variable changed_;
+  std::condition_variable finished_changed_, taken_changed_;
   std::map<int, std::vector<Color>> finished_;
+  std::vector<Color> newest_taken_;
+  std::vector<std::vector<Color>> spare_;
   int taken_ = 0;
   RenderTotals totals_;
   std::exception_ptr failure_;
@@ -173,7 +204,7 @@ RenderTotals render(const Engine& engine, ImageSize size, unsigned threads, cons
                     const std::atomic<bool>& cancel) {
   Bands bands(engine, size, std::max(1u, threads), cancel);
   for (int band = 0; band < bands.count(); ++band) {
-    const std::vector<Color> pixels = bands.take(band, [&] { progress(bands.done()); });
+    const std::span<const Color> pixels = bands.take(band, [&] { progress(bands.done()); });
     sink(band * band_rows, pixels);
     progress(bands.done());
   }

@@ -59,15 +59,11 @@ RAYLAB_INLINE Beam<NumberOf<V>> beam_of(const Ray<V>& ray, MaskOf<V> lanes, V li
           greatest_lane(select(lanes, limit, V(0)))};
 }
 
-/// Of shadow rays that start in an area and run along `l` for `distance`: towards a point, or in parallel. The lane of
-/// area.first may be so near the light that `l` is no direction; then there is only the area.
+/// Of shadow rays that start in an area and run along `l` for `distance`: towards a point, or in parallel. In the lane of
+/// area.first the light may be at the point itself; then the direction is NaN, and the beam may reach everything.
 template <class V>
 RAYLAB_INLINE Beam<NumberOf<V>> beam_of(const Area<NumberOf<V>>& area, const Vec3<V>& l, V distance) {
-  using T = NumberOf<V>;
-  Beam<T> beam = {area.middle, lane(l, area.first), area.radius, 0, lane(distance, area.first)};
-  const auto [x, y, z] = beam.direction;
-  if (!(x * x + y * y + z * z < T(2))) beam.direction = {};
-  return beam;
+  return {area.middle, lane(l, area.first), area.radius, 0, lane(distance, area.first)};
 }
 
 }  // namespace raylab::fast::RAYLAB_TARGET

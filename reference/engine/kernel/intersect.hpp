@@ -55,36 +55,57 @@ RAYLAB_INLINE Meeting<V> meet_nearby(const Vec3<V>& o, const Vec3<V>& d, const V
   return {met, select(outside, from_outside, from_inside), half, inside};
 }
 
-/// Those of `asked` that start near the sphere's surface, compared with its radius. They are rare, and what is done for them
-/// is in functions of its own: so the other rays need not keep at hand what those need.
+/// How far outside the sphere rays start: distance^2 - radius^2, with an error of roundings of R^2.
 template <class V>
-RAYLAB_INLINE MaskOf<V> starts_nearby(MaskOf<V> asked, const Passing<V>& passing, V radius) {
-  if constexpr (formulas.sphere == SphereFormula::textbook) return mask_of<V>(0);
-  const V squared = radius * radius;
-  const V rough_gap = passing.foot * passing.foot - (squared - passing.apart);
-  return asked & (magnitude(rough_gap) < V(1.0f / 16) * squared);
+RAYLAB_INLINE V rough_gap(const Passing<V>& passing, V radius) {
+  return passing.foot * passing.foot - (radius * radius - passing.apart);
 }
 
-/// Of the rays of `asked`, where none starts near the surface.
+/// So close to the surface that the gap must be known without error.
+template <class V>
+RAYLAB_INLINE V nearness(V radius) {
+  return V(formulas.sphere == SphereFormula::textbook ? 0.0f : 1.0f / 16) * (radius * radius);
+}
+
+/// Those of `asked` that start inside the sphere or near its surface, compared with its radius. They are rare, and what is
+/// done for them is in functions of its own: so the other rays need not keep at hand what those need.
+template <class V>
+RAYLAB_INLINE MaskOf<V> starts_within(MaskOf<V> asked, const Passing<V>& passing, V radius) {
+  return asked & (rough_gap(passing, radius) < nearness(radius));
+}
+
+/// Of the rays of `asked`, which start outside and not near the surface.
 template <class V>
 RAYLAB_INLINE Meeting<V> meet_from_afar(MaskOf<V> asked, const Passing<V>& passing, V radius) {
-  const V foot = passing.foot;
   const V discriminant = radius * radius - passing.apart;
   const V half = square_root(greatest(V(0), discriminant));
-  const MaskOf<V> inside = foot * foot - discriminant < V(0);
-  const MaskOf<V> met = asked & (discriminant >= V(0)) & (inside | (foot > V(0)));
-  return {met, foot + select(inside, half, -half), half, inside};
+  const MaskOf<V> met = asked & (discriminant >= V(0)) & (passing.foot > V(0));
+  return {met, passing.foot - half, half, mask_of<V>(0)};
+}
+
+/// Of the rays of `asked`, which start inside and not near the surface.
+template <class V>
+RAYLAB_INLINE Meeting<V> meet_from_inside(MaskOf<V> asked, const Passing<V>& passing, V radius) {
+  const V half = square_root(greatest(V(0), radius * radius - passing.apart));
+  return {asked, passing.foot + half, half, asked};
+}
+
+template <class V>
+RAYLAB_INLINE Meeting<V> select(MaskOf<V> condition, const Meeting<V>& yes, const Meeting<V>& no) {
+  return {select(condition, yes.met, no.met), select(condition, yes.t, no.t), select(condition, yes.half, no.half),
+          select(condition, yes.inside, no.inside)};
 }
 
 /// Of the rays of `asked`, from wherever they start.
 template <class V>
 [[gnu::noinline]] Meeting<V> meet(MaskOf<V> asked, Vec3<V> o, Vec3<V> d, Vec3<V> c, V radius) {
   const Passing<V> passing = pass(o, d, c);
-  const MaskOf<V> nearby = starts_nearby(asked, passing, radius);
-  const Meeting<V> far = meet_from_afar(asked, passing, radius);
-  const Meeting<V> near = meet_nearby(o, d, c, radius);
-  return {select(nearby, near.met, far.met), select(nearby, near.t, far.t), select(nearby, near.half, far.half),
-          select(nearby, near.inside, far.inside)};
+  const V gap = rough_gap(passing, radius);
+  const MaskOf<V> within = asked & (gap < V(0));
+  const Meeting<V> far = select(within, meet_from_inside(asked, passing, radius), meet_from_afar(asked, passing, radius));
+  const MaskOf<V> nearby = asked & (magnitude(gap) < nearness(radius));
+  if (none(nearby)) return far;
+  return select(nearby, meet_nearby(o, d, c, radius), far);
 }
 
 /// The distance at which a ray that starts on a sphere and leaves it inwards meets its far side (D6).

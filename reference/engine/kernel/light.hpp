@@ -48,23 +48,31 @@ class Lighting {
   explicit Lighting(const Prepared<T>& scene) : scene_(scene), shadows_(scene) {}
 
   /// All the light that surfaces send back against `d`, but for their colors.
-  V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
+  RAYLAB_INLINE V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
+    if (scene_.features.shadows) return light_on<true>(hit, d, look, lit, counts);
+    return light_on<false>(hit, d, look, lit, counts);
+  }
+
+ private:
+  /// A function of its own for scenes without shadows: in one for both these would keep registers busy.
+  template <bool shadows>
+  [[gnu::noinline]] V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
     V sum(scene_.ambient);
-    const Area<T> area = scene_.features.shadows ? area_of(hit.point, lit) : Area<T>{};
+    const Area<T> area = shadows ? area_of(hit.point, lit) : Area<T>{};
     for (const PreparedPointLight<T>& light : scene_.point_lights) {
       const PointSeen<V> point = see_point(hit.point, spread<V>(light.position));
       const V strength = V(light.intensity) * (point.fall_off * point.fall_off);
-      sum = sum + light_from({point.l, point.distance, light.planes}, strength, hit, area, d, look, lit, counts);
+      sum = sum + light_from<shadows>({point.l, point.distance, light.planes}, strength, hit, area, d, look, lit, counts);
     }
     for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {
       const Seen<V> seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.planes};
-      sum = sum + light_from(seen, V(light.intensity), hit, area, d, look, lit, counts);
+      sum = sum + light_from<shadows>(seen, V(light.intensity), hit, area, d, look, lit, counts);
     }
     return sum;
   }
 
- private:
   /// 0 where the light is not seen; from so far away that distances are infinite, it is not.
+  template <bool shadows>
   RAYLAB_INLINE V light_from(const Seen<V>& light, V strength, const Hit<V>& hit, const Area<T>& area, const Vec3<V>& d,
                              const Look<V>& look, Mask lit, RayCounts& counts) const {
     const V cosine = dot(light.l, hit.normal);
@@ -72,7 +80,7 @@ class Lighting {
     // In the very plane that it would light the rounded cosine is not 0, and may be above it.
     for (const int plane : light.planes.around) lit = lit & !(hit.place == Index(static_cast<Whole>(plane)));
     if (none(lit)) return V(0);
-    if (scene_.features.shadows) {
+    if constexpr (shadows) {
       counts.shadow += count(lit);
       lit = shadows_.unblocked(hit, area, light, lit);
       if (none(lit)) return V(0);

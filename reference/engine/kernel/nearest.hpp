@@ -80,16 +80,15 @@ class NearestSearch {
     const Passing<V> passing = pass(ray.origin, ray.direction, spheres_.center(i));
     const Mask close = spheres_.passing_close(lanes, i, passing);
     if (none(close)) return;
-    const Mask asked = spheres_.may_meet(ray.leaves, close, i, passing, best.t);
-    if (none(asked)) return;
+    const Mask asked = close & !(ray.leaves == spheres_.place_of(i));
     const V radius = spheres_.radius(i);
-    if (any(starts_nearby(asked, passing, radius))) [[unlikely]]
-      return meet_sphere_nearby(ray, asked, i, best);
+    if (any(starts_within(asked, passing, radius))) [[unlikely]]
+      return meet_sphere_from_within(ray, asked, i, best);
     const Meeting<V> meeting = meet_from_afar(asked, passing, radius);
     update(meeting.met, meeting.t, spheres_.place_of(i), best);
   }
 
-  [[gnu::noinline]] void meet_sphere_nearby(const Ray<V>& ray, Mask asked, std::size_t i, Nearest<V>& best) const {
+  [[gnu::noinline]] void meet_sphere_from_within(const Ray<V>& ray, Mask asked, std::size_t i, Nearest<V>& best) const {
     const Meeting<V> meeting = meet(asked, ray.origin, ray.direction, spheres_.center(i), spheres_.radius(i));
     update(meeting.met, meeting.t, spheres_.place_of(i), best);
   }
@@ -179,19 +178,17 @@ class NearestSearch {
   void on_sphere(const Ray<V>& ray, const Nearest<V>& nearest, const Places<V>& places, Mask lanes, Hit<V>& hit) const {
     const Ball<V> ball = spheres_.balls_at(places, lanes);
     const Passing<V> passing = pass(ray.origin, ray.direction, ball.center);
-    if (any(starts_nearby(lanes, passing, ball.radius))) [[unlikely]]
-      return on_sphere_nearby(ray, nearest, ball, lanes, hit);
-    on_sphere(ray, nearest, ball, passing, meet_from_afar(lanes, passing, ball.radius), lanes, hit);
+    if (any(starts_within(lanes, passing, ball.radius) | (lanes & ray.inwards))) [[unlikely]]
+      return on_sphere_from_within(ray, nearest, ball, lanes, hit);
+    const V half = meet_from_afar(lanes, passing, ball.radius).half;
+    hit.inside = mask_of<V>(0);
+    hit.normal = straightened((V(-1) / ball.radius) * (half * ray.direction + passing.perp));
   }
 
-  [[gnu::noinline]] void on_sphere_nearby(const Ray<V>& ray, const Nearest<V>& nearest, const Ball<V>& ball, Mask lanes,
-                                          Hit<V>& hit) const {
+  [[gnu::noinline]] void on_sphere_from_within(const Ray<V>& ray, const Nearest<V>& nearest, const Ball<V>& ball, Mask lanes,
+                                               Hit<V>& hit) const {
+    const Passing<V> passing = pass(ray.origin, ray.direction, ball.center);
     const Meeting<V> meeting = meet(lanes, ray.origin, ray.direction, ball.center, ball.radius);
-    on_sphere(ray, nearest, ball, pass(ray.origin, ray.direction, ball.center), meeting, lanes, hit);
-  }
-
-  RAYLAB_INLINE void on_sphere(const Ray<V>& ray, const Nearest<V>& nearest, const Ball<V>& ball, const Passing<V>& passing,
-                               const Meeting<V>& meeting, Mask lanes, Hit<V>& hit) const {
     const Mask own = lanes & ray.inwards & (ray.leaves == nearest.place);
     hit.inside = lanes & (own | meeting.inside);
     const V along = select(own, nearest.t - passing.foot, select(meeting.inside, meeting.half, -meeting.half));

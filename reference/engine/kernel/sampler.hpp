@@ -32,15 +32,12 @@ class Sampler {
 
   /// Whole rows, as Engine::trace_rows says.
   void rows(int first_row, std::span<Color> pixels) {
-    const int width = scene_.settings.size.width;
-    const int height = static_cast<int>(pixels.size() / static_cast<std::size_t>(width));
-    for (int row = 0; row < height; row += Tile::height)
-      for (int column = 0; column < width; column += Tile::width) {
-        const int columns = std::min(Tile::width, width - column), rows = std::min(Tile::height, height - row);
-        Color* const corner =
-            &pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
-        write(tile(column, first_row + row, columns, rows), columns, rows, corner);
-      }
+    if (scene_.samples.size() == 1)  // through the center
+      tiles(first_row, pixels, [this](V x, V y, Mask lanes) RAYLAB_ATTRIBUTE { return primary(x, y, lanes); });
+    else if (scene_.adaptive)
+      tiles(first_row, pixels, [this](V x, V y, Mask lanes) RAYLAB_ATTRIBUTE { return adaptive_pixel(x, y, lanes); });
+    else
+      tiles(first_row, pixels, [this](V x, V y, Mask lanes) RAYLAB_ATTRIBUTE { return mean_pixel(x, y, lanes); });
   }
 
  private:
@@ -50,16 +47,32 @@ class Sampler {
     static constexpr int height = Lanes<V>::count / width;
   };
 
-  /// The colors of a tile whose top left pixel is at (column, row) of the image.
-  RAYLAB_INLINE Vec3<V> tile(int column, int row, int columns, int rows) {
-    // Halves of whole numbers: exact in any T.
-    const ImageSize size = scene_.settings.size;
-    const V x = V(static_cast<T>(column) + T(0.5) - T(0.5) * static_cast<T>(size.width)) + tile_x_;
-    const V y = V(T(0.5) * static_cast<T>(size.height) - static_cast<T>(row) - T(0.5)) - tile_y_;
-    Mask inside = all_;
-    if (columns < Tile::width || rows < Tile::height)
-      inside = (tile_x_ < V(static_cast<T>(columns))) & (tile_y_ < V(static_cast<T>(rows)));
-    return pixel(x, y, inside);
+  /// Tile by tile, color(x, y, lanes) being that of the pixels whose centers are at (x, y), not yet clamped.
+  template <class ColorOf>
+  RAYLAB_INLINE void tiles(int first_row, std::span<Color> pixels, const ColorOf& color) {
+    const int width = scene_.settings.size.width;
+    const int height = static_cast<int>(pixels.size() / static_cast<std::size_t>(width));
+    for (int row = 0; row < height; row += Tile::height)
+      for (int column = 0; column < width; column += Tile::width) {
+        const int columns = std::min(Tile::width, width - column), rows = std::min(Tile::height, height - row);
+        Color* const corner =
+            &pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+        write(color(center_x(column), center_y(first_row + row), inside(columns, rows)), columns, rows, corner);
+      }
+  }
+
+  /// Of the centers of a tile's pixels, from the image's: halves of whole numbers, exact in any T.
+  V center_x(int column) const {
+    return V(static_cast<T>(column) + T(0.5) - T(0.5) * static_cast<T>(scene_.settings.size.width)) + tile_x_;
+  }
+  V center_y(int row) const {
+    return V(T(0.5) * static_cast<T>(scene_.settings.size.height) - static_cast<T>(row) - T(0.5)) - tile_y_;
+  }
+
+  /// The pixels of a tile that are in the image.
+  Mask inside(int columns, int rows) const {
+    if (columns == Tile::width && rows == Tile::height) return all_;
+    return (tile_x_ < V(static_cast<T>(columns))) & (tile_y_ < V(static_cast<T>(rows)));
   }
 
   void write(const Vec3<V>& color, int columns, int rows, Color* corner) const {
@@ -75,13 +88,8 @@ class Sampler {
     }
   }
 
-  /// The mean of the samples of the pixels whose centers are at (x, y), not yet clamped.
-  RAYLAB_INLINE Vec3<V> pixel(V x, V y, Mask lanes) {
-    if (scene_.samples.size() == 1) return primary(x, y, lanes);  // through the center
-    return scene_.adaptive ? adaptive_pixel(x, y, lanes) : mean_pixel(x, y, lanes);
-  }
-
-  [[gnu::noinline]] Vec3<V> mean_pixel(V x, V y, Mask lanes) {
+  /// The mean of the samples.
+  RAYLAB_INLINE Vec3<V> mean_pixel(V x, V y, Mask lanes) {
     const std::span<const SampleOffset> samples = scene_.samples;
     const Vec3<V> sum =
         pairwise_sum<V>(samples, [&](const SampleOffset& offset) RAYLAB_ATTRIBUTE { return sample(x, y, offset, lanes); });
@@ -92,7 +100,7 @@ class Sampler {
     return primary(x + V(static_cast<T>(offset.dx)), y + V(static_cast<T>(offset.dy)), lanes);
   }
 
-  [[gnu::noinline]] Vec3<V> adaptive_pixel(V x, V y, Mask lanes) {
+  RAYLAB_INLINE Vec3<V> adaptive_pixel(V x, V y, Mask lanes) {
     Vec3<V> sum = zero<V>(), least_seen = {V(1), V(1), V(1)}, greatest_seen = zero<V>();
     Mask agreed = lanes;
     for (std::size_t k = 0; k < deciding_samples; ++k) {

@@ -57,16 +57,15 @@ class ShadowSearch {
     const Passing<V> passing = pass(hit.point, light.l, spheres_.center(i));
     const Mask close = spheres_.passing_close(open, i, passing);
     if (none(close)) return close;
-    const Mask asked = spheres_.may_meet(hit.place, close, i, passing, light.distance);
-    if (none(asked)) return asked;
+    const Mask asked = close & !(hit.place == spheres_.place_of(i));
     const V radius = spheres_.radius(i);
-    if (any(starts_nearby(asked, passing, radius))) [[unlikely]]
-      return blocked_nearby(hit, light, asked, i);
+    if (any(starts_within(asked, passing, radius))) [[unlikely]]
+      return blocked_from_within(hit, light, asked, i);
     const Meeting<V> meeting = meet_from_afar(asked, passing, radius);
     return meeting.met & (meeting.t < light.distance);
   }
 
-  [[gnu::noinline]] Mask blocked_nearby(const Hit<V>& hit, const Seen<V>& light, Mask asked, std::size_t i) const {
+  [[gnu::noinline]] Mask blocked_from_within(const Hit<V>& hit, const Seen<V>& light, Mask asked, std::size_t i) const {
     const Meeting<V> meeting = meet(asked, hit.point, light.l, spheres_.center(i), spheres_.radius(i));
     return meeting.met & (meeting.t < light.distance);
   }

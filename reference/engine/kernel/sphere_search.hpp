@@ -53,15 +53,6 @@ class SphereSearch {
     return lanes & (passing.apart <= V(scene_.spheres.reach[i]));
   }
 
-  /// Of those that pass it closely: but for lanes that leave it, that have it behind them, or that have met something nearer
-  /// for certain.
-  RAYLAB_INLINE Mask may_meet(Index leaves, Mask close, std::size_t i, const Passing<V>& passing, V limit) const {
-    const V reach(scene_.spheres.reach[i]);
-    const V radius(scene_.spheres.radius[i] * (1 + 256 * std::numeric_limits<T>::epsilon()));
-    const Mask ahead = (passing.foot > V(0)) | (passing.foot * passing.foot + passing.apart <= reach);
-    return close & ahead & (passing.foot - radius <= limit) & !(leaves == place_of(i));
-  }
-
   V radius(std::size_t i) const { return V(scene_.spheres.radius[i]); }
 
   /// The spheres of a leaf from place i on, as many as a Row holds. What stands behind the leaf is asked too: it does no
@@ -76,7 +67,7 @@ class SphereSearch {
     const MaskOf<Row> asked = (passing.apart <= load<Row>(&spheres.reach[i])) & !own;
     if (none(asked)) return {asked, Row(0), Row(0), asked};
     const Row radius = load<Row>(&spheres.radius[i]);
-    if (any(starts_nearby(asked, passing, radius))) [[unlikely]]
+    if (any(starts_within(asked, passing, radius))) [[unlikely]]
       return meet(asked, o, spread<Row>(ray.direction), c, radius);
     return meet_from_afar(asked, passing, radius);
   }
@@ -99,7 +90,7 @@ class SphereSearch {
   /// returns false. False: gave up, or did not begin.
   template <class Limit, class Visit>
   RAYLAB_INLINE bool search_beam(const SphereGroup& group, const Beam<T>& beam, Mask lanes, Limit limit, Visit visit) const {
-    if (count(lanes) < least_together || !(beam.growth < widest_together)) return false;
+    if (count(lanes) < least_together || !(beam.growth < widest_together) || std::isnan(beam.direction.x)) return false;
     int leaves = most_leaves_together;
     const auto leaf = [&](std::size_t begin, std::size_t count) RAYLAB_ATTRIBUTE {
       for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, visit);
