@@ -16,7 +16,7 @@ ENGINE = pathlib.Path(__file__).resolve().parent.parent / "reference" / "engine"
 # Of all kernel/*.hpp, seen as one text. A text alone stands for the statement or function that begins so, which goes; of a pair, the second
 # text takes the first one's place. What nothing calls any more need not go: the members of a template are compiled on demand.
 
-LIGHTS_IN_PLANES = ["for (const int plane : light.planes.around)"]
+LIGHTS_IN_PLANES = ["for (const auto& [plane, side] : light.planes)"]
 PLANES = [
     "for (Whole i = 0; i < spheres_.plane_count(); ++i) {\n      const PreparedPlane",
     ("not_behind_planes(hit, light.planes, asked);", "asked;"),
@@ -42,7 +42,7 @@ SHADOWS = [
 DIRECTIONAL_LIGHTS = ["for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {"]
 POINT_LIGHTS = ["for (const PreparedPointLight<T>& light : scene_.point_lights) {"]
 HIERARCHY = ["if (group->hierarchy) search_nearest(", "if (opaque.hierarchy && any(open))"]
-GIANTS = ["spheres_.for_each_reached(beam, group->begin, group->loop_end,", "spheres_.for_each_reached(beam, opaque.begin, opaque.loop_end,"]
+GIANTS = ["if (group->begin < group->loop_end)", "spheres_.for_each_reached(beam, opaque.begin, opaque.loop_end,"]
 ADAPTIVE = ["else if (scene_.adaptive)"]
 SAMPLES = ADAPTIVE + [("if (scene_.samples.size() == 1)  // through the center\n      ", ""), "else\n      tiles("]
 

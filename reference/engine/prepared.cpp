@@ -91,14 +91,11 @@ int seen_side(const Plane& plane, const Scene& scene, bool glass) {
 
 /// A light on the side that is seen is hidden from nothing there.
 template <class Light>
-LightPlanes planes_of(const Light& light, const Scene& scene, std::span<const int> seen_sides) {
-  LightPlanes planes;
+std::vector<LightPlane> planes_of(const Light& light, const Scene& scene, std::span<const int> seen_sides) {
+  std::vector<LightPlane> planes;
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     const int side = side_of(light, scene.planes[i].shape);
-    if (side == 0)
-      planes.around.push_back(static_cast<int>(i));
-    else if (side != seen_sides[i])
-      planes.between.push_back({static_cast<int>(i), side});
+    if (side == 0 || side != seen_sides[i]) planes.push_back({static_cast<int>(i), side});
   }
   return planes;
 }

@@ -81,32 +81,26 @@ enum FinishColumn {
   finish_columns = 8
 };
 
-/// What planes mean to a light: on which side of each it is was worked out once, from the numbers as given. A plane shades
+/// What a plane means to a light: on which side of it that is was worked out once, from the numbers as given. A plane shades
 /// the points on its other side, so a lamp in a ceiling shines on all below: comparing the rounded distances of lamp and
 /// ceiling would be a toss-up.
-struct LightPlanes {
-  /// A plane that may hide the light from a point that is seen, and the side of it that the light is on: the sign of
-  /// (light - c).n.
-  struct Between {
-    int plane;
-    int side;
-  };
-  std::vector<Between> between;
-  std::vector<int> around;  ///< planes that the light itself is in: it does not light them
+struct LightPlane {
+  int plane;
+  int side;  ///< that the light is on: the sign of (light - c).n; 0: the light is in the plane, and does not light it
 };
 
 template <class T>
 struct PreparedPointLight {
   Point<T> position;
   T intensity;
-  LightPlanes planes;
+  std::vector<LightPlane> planes;  ///< that may keep the light from a point that is seen
 };
 
 template <class T>
 struct PreparedDirectionalLight {
   Point<T> l;  ///< unit, towards the light
   T intensity;
-  LightPlanes planes;
+  std::vector<LightPlane> planes;  ///< that may keep the light from a point that is seen
 };
 
 /// Where primary rays come from: the ray through (x, y), in pixels from the image's center, runs along

@@ -63,12 +63,17 @@ class NearestSearch {
   [[gnu::noinline]] void nearest_of_many(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
     const Beam<T> beam = beam_of(ray, lanes, best.t);
     for (const SphereGroup* group : {&scene_.spheres.opaque, &scene_.spheres.glass}) {
-      spheres_.for_each_reached(beam, group->begin, group->loop_end, [&](std::size_t i) RAYLAB_ATTRIBUTE {
-        meet_sphere(ray, lanes, i, best);
-        return true;
-      });
+      if (group->begin < group->loop_end) nearest_of_each(ray, lanes, beam, *group, best);
       if (group->hierarchy) search_nearest(ray, lanes, beam, *group, best);
     }
+  }
+
+  [[gnu::noinline]] void nearest_of_each(const Ray<V>& ray, Mask lanes, const Beam<T>& beam, const SphereGroup& group,
+                                         Nearest<V>& best) const {
+    spheres_.for_each_reached(beam, group.begin, group.loop_end, [&](std::size_t i) RAYLAB_ATTRIBUTE {
+      meet_sphere(ray, lanes, i, best);
+      return true;
+    });
   }
 
   void meet_own_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {

@@ -7,7 +7,7 @@ template <class V>
 struct Seen {
   Vec3<V> l;  ///< unit, towards the light
   V distance;
-  const LightPlanes& planes;
+  const std::vector<LightPlane>& planes;
 };
 
 /// Finds out which points see a light.
@@ -39,8 +39,9 @@ class ShadowSearch {
  private:
   using Row = typename SphereSearch<V>::Row;
 
-  Mask not_behind_planes(const Hit<V>& hit, const LightPlanes& planes, Mask asked) const {
-    for (const auto& [i, side] : planes.between) {
+  Mask not_behind_planes(const Hit<V>& hit, const std::vector<LightPlane>& planes, Mask asked) const {
+    for (const auto& [i, side] : planes) {
+      if (side == 0) continue;
       const PreparedPlane<T>& plane = scene_.planes[static_cast<std::size_t>(i)];
       const V height = dot(hit.point - spread<V>(plane.point), spread<V>(plane.normal));
       const Mask behind = (side > 0 ? height <= V(0) : height >= V(0)) & !(hit.place == Index(static_cast<Whole>(i)));
