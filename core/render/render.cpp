@@ -181,8 +181,7 @@ class Bands {
   const ImageSize size_;
   const int count_;
   const int ahead_;
-  const std::size_t
-      worth_waking_;  // so many finished bands: to be woken for each takes a short frame a twentieth of its time
+  const std::size_t worth_waking_;  // so many finished bands; a short frame is slower by a twentieth if each one wakes
   const std::atomic<bool>& cancel_;
   std::atomic<bool> stop_ = false;
   std::atomic<int> next_ = 0;

@@ -88,7 +88,7 @@ class Sampler {
     }
   }
 
-  /// The mean of the samples.
+  /// The mean of the samples of the pixels around (x, y).
   RAYLAB_INLINE Vec3<V> mean_pixel(V x, V y, Mask lanes) {
     const std::span<const SampleOffset> samples = scene_.samples;
     const Vec3<V> sum =
