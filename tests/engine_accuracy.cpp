@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace raylab;
@@ -178,16 +179,18 @@ TEST_CASE("engine: in float a flake that is far from zero is that in double to 6
   CHECK(decibels(float_errors(scene, 5)) >= 60);
 }
 
-TEST_CASE("engine: in float a highlight is that in double to a few roundings, from its peak down to where it ends",
-          "[engine]") {
-  const StageTable in_float = fast_table(Precision::f32), in_double = fast_table(Precision::f64);
+TEST_CASE("engine: a highlight is the true one to a few roundings, from its peak down to where it ends", "[engine]") {
+  const auto [precision, rounding] = GENERATE(std::pair(Precision::f32, 0x1p-24L), std::pair(Precision::f64, 0x1p-53L));
+  const double alpha = GENERATE(1, 20, 400);
+  const StageTable table = fast_table(precision);
   const Vec3 n = {0, 0, 1};
-  for (int k = 0; k <= 400; ++k) {
-    const double tilt = 0.001 * k;
+  const long double k_s = table.specular_weight(alpha);
+  for (int k = 0; k <= 1200; ++k) {
+    const double tilt = 0.0025 * k;
     const Vec3 v = {static_cast<float>(std::sin(tilt)), 0, static_cast<float>(std::cos(tilt))};  // the same in either
-    const double there = in_float.blinn_phong(n, n, v, 1, Color(1), 400).x;
-    const double truth = in_double.blinn_phong(n, n, v, 1, Color(1), 400).x;
-    INFO("tilt " << tilt);
-    REQUIRE(std::abs(there - truth) <= 4 * 0x1p-24 * truth);
+    const long double tangent = v.x / (1 + static_cast<long double>(v.z));  // of H's angle: cos^2 = 1 / (1 + tan^2)
+    const long double truth = 1 + k_s * std::exp(-alpha / 2 * std::log1p(tangent * tangent));
+    INFO("alpha " << alpha << ", tilt " << tilt);
+    REQUIRE(std::abs(table.blinn_phong(n, n, v, 1, Color(1), alpha).x - truth) <= 4 * rounding * truth);
   }
 }
