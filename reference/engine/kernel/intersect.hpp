@@ -61,7 +61,7 @@ RAYLAB_INLINE V rough_gap(const Passing<V>& passing, V radius) {
   return passing.foot * passing.foot - (radius * radius - passing.apart);
 }
 
-/// So close to the surface that the gap must be known without error.
+/// The gap below which it must be known without error; the textbook never asks.
 template <class V>
 RAYLAB_INLINE V nearness(V radius) {
   return V(formulas.sphere == SphereFormula::textbook ? 0.0f : 1.0f / 16) * (radius * radius);
@@ -90,6 +90,7 @@ RAYLAB_INLINE Meeting<V> meet_from_inside(MaskOf<V> asked, const Passing<V>& pas
   return {asked, passing.foot + half, half, asked};
 }
 
+/// Lane by lane.
 template <class V>
 RAYLAB_INLINE Meeting<V> select(MaskOf<V> condition, const Meeting<V>& yes, const Meeting<V>& no) {
   return {select(condition, yes.met, no.met), select(condition, yes.t, no.t), select(condition, yes.half, no.half),
