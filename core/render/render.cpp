@@ -3,15 +3,18 @@
 #include "core/render/thread_seconds.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <cstdint>
+#include <cstring>
 #include <ctime>
 #include <exception>
+#include <functional>
 #include <map>
 #include <mutex>
+#include <numeric>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -28,12 +31,16 @@ struct NonFinite {
 };
 
 /// Of numbers from 0 to 1 none has the highest bit of the exponent, which all from 2 on have, infinity and NaN too: so it
-/// takes one operation a number to find out that there is nothing to be found.
+/// takes less than one operation a number to find out that there is nothing to be found.
 bool may_be_non_finite(std::span<const Color> pixels) {
-  std::uint64_t all = 0;
-  for (const Color& c : pixels)
-    all |= std::bit_cast<std::uint64_t>(c.x) | std::bit_cast<std::uint64_t>(c.y) | std::bit_cast<std::uint64_t>(c.z);
-  return (all >> 62 & 1) != 0;
+  constexpr std::size_t together = 4;  // pixels whose numbers the compiler takes as they stand, side by side
+  std::array<std::uint64_t, 3 * together> all{}, some{};
+  static_assert(sizeof some == together * sizeof(Color));
+  for (; !pixels.empty(); pixels = pixels.subspan(std::min(together, pixels.size()))) {
+    std::memcpy(some.data(), pixels.data(), std::min(together, pixels.size()) * sizeof(Color));
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] |= some[i];
+  }
+  return (std::reduce(all.begin(), all.end(), std::uint64_t{0}, std::bit_or<>()) >> 62 & 1) != 0;
 }
 
 NonFinite find_non_finite(std::span<const Color> pixels, int first_row, int width) {

@@ -11,11 +11,11 @@ inline constexpr T magic = 0x1.8p52;
 template <>
 inline constexpr float magic<float> = 0x1.8p23f;
 
-/// e^-cut_off is nothing beside 1.
+/// e^-cut_off is nothing beside 1: less than a seventh of the distance to the next number.
 template <class T>
-inline constexpr T cut_off = 80;
+inline constexpr T cut_off = 38;
 template <>
-inline constexpr float cut_off<float> = 32;
+inline constexpr float cut_off<float> = 18;
 
 /// log(2) in two parts: a few thousand times the first is still exact.
 template <class T>

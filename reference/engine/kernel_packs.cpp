@@ -32,6 +32,10 @@
 #include <numbers>
 #include <tuple>
 
+// Masks of AVX-512 are whole numbers, which the compiler keeps in registers of either kind; by intrinsics g++ would keep
+// them among the vectors, whose units are busy.
+#define HWY_COMPILER_HAS_MASK_INTRINSICS 0
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "reference/engine/kernel_packs.cpp"
 #include <hwy/foreach_target.h>

@@ -51,6 +51,15 @@ RAYLAB_INLINE Area<NumberOf<V>> area_of(const Vec3<V>& points, MaskOf<V> lanes) 
   return {first, middle, greatest_distance(points, middle, lanes)};
 }
 
+/// How far apart the directions of a tile's primary rays are, at most: no further than the samples in the image plane, whose
+/// distance is one.
+template <class V>
+NumberOf<V> growth_of_tile(const PreparedCamera<NumberOf<V>>& camera) {
+  using T = NumberOf<V>;
+  const Vec3<T> diagonal = T(Tile<V>::width) * spread<T>(camera.right) + T(Tile<V>::height) * spread<T>(camera.up);
+  return std::sqrt(dot(diagonal, diagonal));
+}
+
 template <class V>
 RAYLAB_INLINE Beam<NumberOf<V>> beam_of(const Ray<V>& ray, MaskOf<V> lanes, V limit) {
   const Area<NumberOf<V>> start = area_of(ray.origin, lanes);

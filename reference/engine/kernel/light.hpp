@@ -79,7 +79,7 @@ class Lighting {
     lit = lit & (cosine > V(0));
     // In the very plane that it would light the rounded cosine is not 0, and may be above it.
     for (const auto& [plane, side] : light.planes)
-      if (side == 0) lit = lit & !(hit.place == Index(static_cast<Whole>(plane)));
+      if (side == 0) lit = without(lit, hit.place == Index(static_cast<Whole>(plane)));
     if (none(lit)) return V(0);
     if constexpr (shadows) {
       counts.shadow += count(lit);

@@ -11,20 +11,22 @@ class NearestSearch {
   using Index = IndexOf<V>;
   using Whole = WholeOf<V>;
 
-  explicit NearestSearch(const Prepared<T>& scene) : scene_(scene), spheres_(scene) {}
+  explicit NearestSearch(const Prepared<T>& scene)
+      : scene_(scene), spheres_(scene), tile_growth_(growth_of_tile<V>(scene.camera)) {}
 
-  RAYLAB_INLINE Nearest<V> nearest_surface(const Ray<V>& ray, Mask lanes) const {
+  /// `primary`: the rays are the camera's through one tile, there is one in the first lane.
+  RAYLAB_INLINE Nearest<V> nearest_surface(const Ray<V>& ray, Mask lanes, bool primary) const {
     Nearest<V> best = {V(std::numeric_limits<T>::infinity()), Index(-1)};
     for (Whole i = 0; i < spheres_.plane_count(); ++i) {
       const PreparedPlane<T>& plane = scene_.planes[static_cast<std::size_t>(i)];
       const V t = plane_distance(ray.origin, ray.direction, spread<V>(plane.point), spread<V>(plane.normal));
       const Index place(i);
-      const Mask closer = lanes & (t >= V(0)) & (t < best.t) & !(ray.leaves == place);
+      const Mask closer = without(lanes & (t >= V(0)) & (t < best.t), ray.leaves == place);
       best.t = select(closer, t, best.t);
       best.place = select(closer, place, best.place);
     }
     if (any(ray.inwards)) meet_own_sphere(ray, lanes & ray.inwards, best);
-    if (scene_.spheres.count > 0) nearest_sphere(ray, lanes, best);
+    if (scene_.spheres.count > 0) nearest_sphere(ray, lanes, primary, best);
     return best;
   }
 
@@ -51,11 +53,19 @@ class NearestSearch {
   /// To ask so many is faster than to find out which ones a beam reaches.
   static constexpr std::size_t few_spheres = 8;
 
-  RAYLAB_INLINE void nearest_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
-    if (scene_.spheres.count <= few_spheres) {
-      for (std::size_t i = 0; i < scene_.spheres.count; ++i) meet_sphere(ray, lanes, i, best);
-    } else {
+  RAYLAB_INLINE void nearest_sphere(const Ray<V>& ray, Mask lanes, bool primary, Nearest<V>& best) const {
+    const std::size_t count = scene_.spheres.count;
+    if (count > few_spheres) {
       nearest_of_many(ray, lanes, best);
+    } else if (primary) {
+      const Point<T> direction = lane(ray.direction, 0);
+      const Beam<T> beam = {scene_.camera.position, direction, 0, tile_growth_, std::numeric_limits<T>::infinity()};
+      spheres_.for_each_reached(beam, 0, count, [&](std::size_t i) RAYLAB_ATTRIBUTE {
+        meet_sphere(ray, lanes, i, best);
+        return true;
+      });
+    } else {
+      for (std::size_t i = 0; i < count; ++i) meet_sphere(ray, lanes, i, best);
     }
   }
 
@@ -85,7 +95,7 @@ class NearestSearch {
     const Passing<V> passing = pass(ray.origin, ray.direction, spheres_.center(i));
     const Mask close = spheres_.passing_close(lanes, i, passing);
     if (none(close)) return;
-    const Mask asked = close & !(ray.leaves == spheres_.place_of(i));
+    const Mask asked = without(close, ray.leaves == spheres_.place_of(i));
     const V radius = spheres_.radius(i);
     if (any(starts_within(asked, passing, radius))) [[unlikely]]
       return meet_sphere_from_within(ray, asked, i, best);
@@ -219,12 +229,13 @@ class NearestSearch {
       Hit<V> there;
       on_plane(ray, i, there);
       hit.normal = select(here, there.normal, hit.normal);
-      hit.inside = hit.inside & !here;
+      hit.inside = without(hit.inside, here);
     }
   }
 
   const Prepared<T>& scene_;
   const SphereSearch<V> spheres_;
+  const T tile_growth_;
 };
 
 }  // namespace raylab::fast::RAYLAB_TARGET

@@ -95,6 +95,11 @@ HWY_INLINE PackIndex<T> select(PackMask<T> condition, PackIndex<T> yes, PackInde
 }
 
 template <class T>
+HWY_INLINE PackMask<T> without(PackMask<T> lanes, PackMask<T> others) {
+  return {hn::AndNot(others.raw, lanes.raw)};
+}
+
+template <class T>
 HWY_INLINE std::uint32_t bits(PackMask<T> mask) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(Tag<T>(), mask.raw, bytes);
@@ -124,6 +129,23 @@ HWY_INLINE MaskOf<V> mask_of(std::uint32_t bits) {
 template <class T>
 HWY_INLINE Pack<T> square_root(Pack<T> a) {
   return Pack<T>(hn::Sqrt(a.raw));
+}
+/// By one instruction where its result is the same for NaN and for zeros, too.
+template <class T>
+HWY_INLINE Pack<T> least(Pack<T> a, Pack<T> b) {
+#if HWY_ARCH_X86
+  return Pack<T>(hn::Min(a.raw, b.raw));
+#else
+  return select(a < b, a, b);
+#endif
+}
+template <class T>
+HWY_INLINE Pack<T> greatest(Pack<T> a, Pack<T> b) {
+#if HWY_ARCH_X86
+  return Pack<T>(hn::Max(a.raw, b.raw));
+#else
+  return select(a > b, a, b);
+#endif
 }
 template <class T>
 HWY_INLINE Pack<T> magnitude(Pack<T> a) {

@@ -77,11 +77,11 @@ RAYLAB_INLINE V highlight(MaskOf<V> asked, const Vec3<V>& l, const Vec3<V>& n, c
   const V sine2 = dot(across, across);
   const V cosine2 = greatest(along * along, V(std::numeric_limits<T>::min()));
   const V squared = sine2 + cosine2;
-  // log(1 - x) <= -x: what is certainly below e^-cut_off is nothing beside the cosine that it is added to.
-  const V half_alpha = V(0.5f) * alpha;
-  const auto seen = asked & (along > V(0)) & (half_alpha * sine2 < V(cut_off<T>) * squared);
+  // log(a/b) <= 2 (a - b)/(a + b) where a <= b: what is certainly below e^-cut_off is nothing beside the cosine that it is
+  // added to.
+  const auto seen = asked & (along > V(0)) & (alpha * sine2 < V(cut_off<T>) * (squared + cosine2));
   if (none(seen)) return V(0);
-  const V y = half_alpha * log_of_ratio(sine2, cosine2, squared);
+  const V y = V(0.5f) * alpha * log_of_ratio(sine2, cosine2, squared);
   const auto above = seen & (y > V(-cut_off<T>));
   return select(above, exponential(select(above, y, V(0))), V(0));
 }

@@ -12,6 +12,13 @@ struct Ray {
   MaskOf<V> inwards;
 };
 
+/// The pixels that are traced together: a block, whose rays stay together longer than those of a row.
+template <class V>
+struct Tile {
+  static constexpr int width = Lanes<V>::count >= 32 ? 8 : Lanes<V>::count >= 8 ? 4 : Lanes<V>::count >= 2 ? 2 : 1;
+  static constexpr int height = Lanes<V>::count / width;
+};
+
 /// Of the primary rays through (x, y), in pixels from the image's center: unit vectors.
 template <class V>
 RAYLAB_INLINE Vec3<V> camera_direction(const PreparedCamera<NumberOf<V>>& camera, V x, V y) {

@@ -17,6 +17,7 @@ class Sampler {
   using T = NumberOf<V>;
   using Mask = MaskOf<V>;
   using Index = IndexOf<V>;
+  using Tile = fast::RAYLAB_TARGET::Tile<V>;
 
   Sampler(const Prepared<T>& scene, RayCounts& counts, const std::atomic<bool>& cancel)
       : scene_(scene), counts_(counts), tracer_(scene, counts, cancel) {
@@ -41,12 +42,6 @@ class Sampler {
   }
 
  private:
-  /// The pixels that are traced together: a block, whose rays stay together longer than those of a row.
-  struct Tile {
-    static constexpr int width = Lanes<V>::count >= 32 ? 8 : Lanes<V>::count >= 8 ? 4 : Lanes<V>::count >= 2 ? 2 : 1;
-    static constexpr int height = Lanes<V>::count / width;
-  };
-
   /// Tile by tile, color(x, y, lanes) being that of the pixels whose centers are at (x, y), not yet clamped.
   template <class ColorOf>
   RAYLAB_INLINE void tiles(int first_row, std::span<Color> pixels, const ColorOf& color) {
@@ -115,7 +110,7 @@ class Sampler {
     const Vec3<V> apart = greatest_seen - least_seen;
     const V limit(static_cast<T>(agreeing_samples));
     agreed = agreed & (apart.x <= limit) & (apart.y <= limit) & (apart.z <= limit);
-    const Mask more = lanes & !agreed;
+    const Mask more = without(lanes, agreed);
     const Vec3<V> mean = V(T(1) / static_cast<T>(deciding_samples)) * sum;
     if (none(more)) return mean;
     const Vec3<V> refined = V(T(1) / static_cast<T>(scene_.samples.size())) * with_the_rest(x, y, more, sum);

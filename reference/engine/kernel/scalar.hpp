@@ -38,6 +38,9 @@ inline bool select(bool condition, bool yes, bool no) { return condition ? yes :
 inline std::int32_t select(bool condition, std::int32_t yes, std::int32_t no) { return condition ? yes : no; }
 inline std::int64_t select(bool condition, std::int64_t yes, std::int64_t no) { return condition ? yes : no; }
 
+/// Those of `lanes` that are not `others`.
+inline bool without(bool lanes, bool others) { return lanes && !others; }
+
 /// Bit i is lane i.
 inline std::uint32_t bits(bool mask) { return mask ? 1 : 0; }
 inline std::size_t count(bool mask) { return mask ? 1 : 0; }
@@ -47,6 +50,17 @@ inline bool none(bool mask) { return !mask; }
 template <Number T>
 T square_root(T a) {
   return std::sqrt(a);
+}
+
+/// a < b ? a : b, and so b where either is no number.
+template <Number T>
+T least(T a, T b) {
+  return select(a < b, a, b);
+}
+/// a > b ? a : b.
+template <Number T>
+T greatest(T a, T b) {
+  return select(a > b, a, b);
 }
 
 /// |a| with its sign bit cleared.

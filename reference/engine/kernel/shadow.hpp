@@ -26,10 +26,10 @@ class ShadowSearch {
     Mask open = not_behind_planes(hit, light.planes, asked);
     const SphereGroup& opaque = scene_.spheres.opaque;
     const Mask inside = open & hit.inside & (hit.place < spheres_.place_of(scene_.spheres.glass.begin));
-    if (any(inside)) open = open & !(inside & far_side_blocks(hit, light, inside));
+    if (any(inside)) open = without(open, inside & far_side_blocks(hit, light, inside));
     const Beam<T> beam = beam_of(area, light.l, light.distance);
     spheres_.for_each_reached(beam, opaque.begin, opaque.loop_end, [&](std::size_t i) RAYLAB_ATTRIBUTE {
-      open = open & !blocked_by(hit, light, open, i);
+      open = without(open, blocked_by(hit, light, open, i));
       return any(open);
     });
     if (opaque.hierarchy && any(open)) open = search_unblocked(hit, light, beam, open);
@@ -44,8 +44,8 @@ class ShadowSearch {
       if (side == 0) continue;
       const PreparedPlane<T>& plane = scene_.planes[static_cast<std::size_t>(i)];
       const V height = dot(hit.point - spread<V>(plane.point), spread<V>(plane.normal));
-      const Mask behind = (side > 0 ? height <= V(0) : height >= V(0)) & !(hit.place == Index(static_cast<Whole>(i)));
-      asked = asked & !behind;
+      const Mask behind = side > 0 ? height <= V(0) : height >= V(0);
+      asked = without(asked, without(behind, hit.place == Index(static_cast<Whole>(i))));
     }
     return asked;
   }
@@ -58,7 +58,7 @@ class ShadowSearch {
     const Passing<V> passing = pass(hit.point, light.l, spheres_.center(i));
     const Mask close = spheres_.passing_close(open, i, passing);
     if (none(close)) return close;
-    const Mask asked = close & !(hit.place == spheres_.place_of(i));
+    const Mask asked = without(close, hit.place == spheres_.place_of(i));
     const V radius = spheres_.radius(i);
     if (any(starts_within(asked, passing, radius))) [[unlikely]]
       return blocked_from_within(hit, light, asked, i);
@@ -66,16 +66,18 @@ class ShadowSearch {
     return meeting.met & (meeting.t < light.distance);
   }
 
-  [[gnu::noinline]] Mask blocked_from_within(const Hit<V>& hit, const Seen<V>& light, Mask asked, std::size_t i) const {
+  // Those that are rarely called take the light by value: by reference it would have to be in memory for all.
+
+  [[gnu::noinline]] Mask blocked_from_within(const Hit<V>& hit, Seen<V> light, Mask asked, std::size_t i) const {
     const Meeting<V> meeting = meet(asked, hit.point, light.l, spheres_.center(i), spheres_.radius(i));
     return meeting.met & (meeting.t < light.distance);
   }
 
-  [[gnu::noinline]] Mask search_unblocked(const Hit<V>& hit, const Seen<V>& light, const Beam<T>& beam, Mask open) const {
+  [[gnu::noinline]] Mask search_unblocked(const Hit<V>& hit, Seen<V> light, const Beam<T>& beam, Mask open) const {
     const float longest = as_limit(greatest_lane(select(open, light.distance, V(-1))));
     const auto limit = [&]() RAYLAB_ATTRIBUTE { return any(open) ? longest : -1.0f; };
     const auto visit = [&](std::size_t i) RAYLAB_ATTRIBUTE {
-      open = open & !blocked_by(hit, light, open, i);
+      open = without(open, blocked_by(hit, light, open, i));
       return any(open);
     };
     if (spheres_.search_beam(scene_.spheres.opaque, beam, open, limit, visit) || none(open)) return open;
@@ -99,7 +101,7 @@ class ShadowSearch {
                     return;
                   }
                 });
-    return open & !mask_of<V>(blocked);
+    return without(open, mask_of<V>(blocked));
   }
 
   const Prepared<T>& scene_;

@@ -64,7 +64,7 @@ class SphereSearch {
     const Passing<Row> passing = pass(o, spread<Row>(ray.direction), c);
     const MaskOf<Row> own =
         lane_numbers<Row>() + IndexOf<Row>(plane_count_ + static_cast<Whole>(i)) == IndexOf<Row>(ray.leaves);
-    const MaskOf<Row> asked = (passing.apart <= load<Row>(&spheres.reach[i])) & !own;
+    const MaskOf<Row> asked = without(passing.apart <= load<Row>(&spheres.reach[i]), own);
     if (none(asked)) return {asked, Row(0), Row(0), asked};
     const Row radius = load<Row>(&spheres.radius[i]);
     if (any(starts_within(asked, passing, radius))) [[unlikely]]

@@ -10,7 +10,7 @@ class Places {
     std::array<WholeOf<V>, Lanes<V>::count> places;
     store(place, places.data());
     common_ = places[static_cast<std::size_t>(std::countr_zero(bits(lanes)))];
-    same_ = none(lanes & !(place == IndexOf<V>(common_)));
+    same_ = none(without(lanes, place == IndexOf<V>(common_)));
     each_ = select(lanes, place, IndexOf<V>(common_));
   }
 

@@ -75,7 +75,7 @@ class Tracer {
   /// The color that the nearest surface itself sends back; the rays that it sends on are added to those that wait.
   Vec3<V> surface_color(const Waiting& from) {
     if (cancel_.load(std::memory_order_relaxed)) throw Cancelled{};
-    const Nearest<V> nearest = nearest_.nearest_surface(from.ray, from.lanes);
+    const Nearest<V> nearest = nearest_.nearest_surface(from.ray, from.lanes, from.bounce == 0);
     const Mask met = from.lanes & (nearest.place >= Index(0));
     if (none(met)) return spread<V>(scene_.background);
     const Places<V> places(nearest.place, met);
@@ -94,7 +94,7 @@ class Tracer {
   [[gnu::noinline]] Vec3<V> glass_color(const Waiting& from, const Hit<V>& hit, const Look<V>& look, const Places<V>& places,
                                         Mask met, Mask glass) {
     if (goes_on(from)) send_from_glass(from, hit, look, nearest_.balls_at(places, glass), met, glass);
-    const Mask lit = met & !glass;
+    const Mask lit = without(met, glass);
     const Vec3<V> seen = any(lit) ? lit_color(from, hit, look, lit) : zero<V>();
     return select(lit, seen, select(glass, zero<V>(), spread<V>(scene_.background)));
   }

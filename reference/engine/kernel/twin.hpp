@@ -78,6 +78,11 @@ HWY_INLINE TwinIndex<P> select(TwinMask<P> condition, TwinIndex<P> yes, TwinInde
 }
 
 template <class P>
+HWY_INLINE TwinMask<P> without(TwinMask<P> lanes, TwinMask<P> others) {
+  return {without(lanes.first, others.first), without(lanes.second, others.second)};
+}
+
+template <class P>
 HWY_INLINE std::uint32_t bits(TwinMask<P> mask) {
   return bits(mask.first) | bits(mask.second) << Lanes<P>::count;
 }
@@ -102,6 +107,14 @@ HWY_INLINE MaskOf<V> mask_of(std::uint32_t bits) {
 template <class P>
 HWY_INLINE Twin<P> square_root(Twin<P> a) {
   return {square_root(a.first), square_root(a.second)};
+}
+template <class P>
+HWY_INLINE Twin<P> least(Twin<P> a, Twin<P> b) {
+  return {least(a.first, b.first), least(a.second, b.second)};
+}
+template <class P>
+HWY_INLINE Twin<P> greatest(Twin<P> a, Twin<P> b) {
+  return {greatest(a.first, b.first), greatest(a.second, b.second)};
 }
 template <class P>
 HWY_INLINE Twin<P> magnitude(Twin<P> a) {

@@ -34,19 +34,10 @@ RAYLAB_INLINE Vec3<V> select(MaskOf<V> condition, const Vec3<V>& yes, const Vec3
   return {select(condition, yes.x, no.x), select(condition, yes.y, no.y), select(condition, yes.z, no.z)};
 }
 
-template <class V>
-RAYLAB_INLINE V least(V a, V b) {
-  return select(a < b, a, b);
-}
-template <class V>
-RAYLAB_INLINE V greatest(V a, V b) {
-  return select(a > b, a, b);
-}
-
 /// From 0 to 1. A NaN stays one: the program counts and reports it.
 template <class V>
 RAYLAB_INLINE V clamped(V a) {
-  return select(a < V(0), V(0), select(a > V(1), V(1), a));
+  return least(V(1), greatest(V(0), a));
 }
 
 /// `a`, already a unit vector but for a few roundings, with those taken back: one Newton step. Without it the length of a
