@@ -2,19 +2,19 @@
 
 #include "core/render/thread_seconds.hpp"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <cstdint>
-#include <cstring>
 #include <ctime>
 #include <exception>
-#include <functional>
 #include <map>
 #include <mutex>
-#include <numeric>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -33,14 +33,14 @@ struct NonFinite {
 /// Of numbers from 0 to 1 none has the highest bit of the exponent, which all from 2 on have, infinity and NaN too: so it
 /// takes less than one operation a number to find out that there is nothing to be found.
 bool may_be_non_finite(std::span<const Color> pixels) {
-  constexpr std::size_t together = 4;  // pixels whose numbers the compiler takes as they stand, side by side
-  std::array<std::uint64_t, 3 * together> all{}, some{};
-  static_assert(sizeof some == together * sizeof(Color));
-  for (; !pixels.empty(); pixels = pixels.subspan(std::min(together, pixels.size()))) {
-    std::memcpy(some.data(), pixels.data(), std::min(together, pixels.size()) * sizeof(Color));
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] |= some[i];
-  }
-  return (std::reduce(all.begin(), all.end(), std::uint64_t{0}, std::bit_or<>()) >> 62 & 1) != 0;
+  static_assert(sizeof(Color) == 3 * sizeof(double));
+  const std::span numbers(glm::value_ptr(pixels.front()), 3 * pixels.size());
+  std::array<std::uint64_t, 8> all{};  // side by side: one would wait for itself
+  std::size_t k = 0;
+  for (; k + all.size() <= numbers.size(); k += all.size())
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] |= std::bit_cast<std::uint64_t>(numbers[k + i]);
+  for (; k < numbers.size(); ++k) all[0] |= std::bit_cast<std::uint64_t>(numbers[k]);
+  return std::any_of(all.begin(), all.end(), [](std::uint64_t bits) { return (bits >> 62 & 1) != 0; });
 }
 
 NonFinite find_non_finite(std::span<const Color> pixels, int first_row, int width) {
