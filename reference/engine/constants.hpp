@@ -11,7 +11,7 @@ inline constexpr T magic = 0x1.8p52;
 template <>
 inline constexpr float magic<float> = 0x1.8p23f;
 
-/// e^-cut_off is nothing beside 1: less than a seventh of the distance to the next number.
+/// e^-cut_off is nothing beside 1: less than a third of a rounding.
 template <class T>
 inline constexpr T cut_off = 38;
 template <>

@@ -66,8 +66,8 @@ class ShadowSearch {
     return meeting.met & (meeting.t < light.distance);
   }
 
-  // Those that are rarely called take the light by value: by reference it would have to be in memory for all.
-
+  // This and search_unblocked() take the light by value: by reference it would have to be in memory for those, too, that
+  // need neither.
   [[gnu::noinline]] Mask blocked_from_within(const Hit<V>& hit, Seen<V> light, Mask asked, std::size_t i) const {
     const Meeting<V> meeting = meet(asked, hit.point, light.l, spheres_.center(i), spheres_.radius(i));
     return meeting.met & (meeting.t < light.distance);
