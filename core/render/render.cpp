@@ -2,8 +2,6 @@
 
 #include "core/render/thread_seconds.hpp"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -34,7 +32,7 @@ struct NonFinite {
 /// takes less than one operation a number to find out that there is nothing to be found.
 bool may_be_non_finite(std::span<const Color> pixels) {
   static_assert(sizeof(Color) == 3 * sizeof(double));
-  const std::span numbers(glm::value_ptr(pixels.front()), 3 * pixels.size());
+  const std::span numbers(&pixels.front().x, 3 * pixels.size());
   std::array<std::uint64_t, 8> all{};  // side by side: one would wait for itself
   std::size_t k = 0;
   for (; k + all.size() <= numbers.size(); k += all.size())
