@@ -16,29 +16,18 @@ ENGINE = pathlib.Path(__file__).resolve().parent.parent / "reference" / "engine"
 # Of all kernel/*.hpp, seen as one text. A text alone stands for the statement or function that begins so, which goes; of a pair, the second
 # text takes the first one's place. What nothing calls any more need not go: the members of a template are compiled on demand.
 
-LIGHTS_IN_PLANES = ["for (const auto& [plane, side] : light.planes)"]
-PLANES = [
-    "for (Whole i = 0; i < spheres_.plane_count(); ++i) {\n      const PreparedPlane",
-    ("not_behind_planes(hit, light.planes, asked);", "asked;"),
-    ("else if (places.common() < spheres_.plane_count())\n      on_plane(ray, places.common(), hit);\n    else", "else"),
-    ("if (!places.same())\n      on_surfaces(ray, nearest, places, met, hit);\n    else", ""),
-    ("const Whole plane_count_;", "static constexpr Whole plane_count_ = 0;"),
-    (", plane_count_(static_cast<Whole>(scene.planes.size())) {}", " {}"),
-] + LIGHTS_IN_PLANES
+LIGHTS_IN_PLANES = ["if (!light.planes.empty()) [[unlikely]] {"]
+PLANES = [("const bool planes = !scene.planes.empty(),", "const bool planes = false,")] + LIGHTS_IN_PLANES
 GLASS = [
     ("{&scene_.spheres.opaque, &scene_.spheres.glass}", "{&scene_.spheres.opaque}"),
-    (" & (hit.place < spheres_.place_of(scene_.spheres.glass.begin))", ""),
+    (" & (hit.place < spheres_.all_at(scene_.spheres.glass.begin))", ""),
     "if (scene_.features.glass) {",
 ]
 MIRRORS = ["if (scene_.features.mirrors && goes_on(from)) send_reflected(from, hit, look[mirror], met);"]
 MIRRORS_BESIDE_GLASS = [("select(glass, parts.reflected, look[mirror]), met", "parts.reflected, glass")]
-BOUNCES = GLASS + MIRRORS + ["while (!waiting_.empty()) {"]
-HIGHLIGHTS = [("scene_.features.highlights ? cosine + shine(light, hit, d, look, lit) : cosine", "cosine")]
-SHADOWS = [
-    "if (scene_.features.shadows) return light_on<true>",
-    ("shadows ? area_of(hit.point, lit) : Area<T>{}", "{}"),
-    "if constexpr (shadows) {",
-]
+BOUNCES = GLASS + MIRRORS + [("bounces = scene.features.mirrors || scene.features.glass;", "bounces = false;")]
+HIGHLIGHTS = ["if (features.highlights && features.shadows)", "if (features.highlights)"]
+SHADOWS = ["if (features.highlights && features.shadows)", "if (features.shadows)"]
 DIRECTIONAL_LIGHTS = ["for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {"]
 POINT_LIGHTS = ["for (const PreparedPointLight<T>& light : scene_.point_lights) {"]
 HIERARCHY = ["if (group->hierarchy) search_nearest(", "if (opaque.hierarchy && any(open))"]

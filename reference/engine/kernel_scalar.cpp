@@ -18,7 +18,7 @@
 #include <tuple>
 
 #define RAYLAB_TARGET RAYLAB_FORMULAS::scalar
-#define RAYLAB_INLINE inline
+#define RAYLAB_INLINE inline __attribute__((always_inline))
 #define RAYLAB_ATTRIBUTE
 #include "reference/engine/kernel/parts.hpp"
 

@@ -211,12 +211,13 @@ class Builder {
   Builder(Prepared<T>& out, const Scene& scene, const Vec3& origin, unsigned threads)
       : out_(out), scene_(scene), origin_(origin), threads_(threads) {}
 
+  /// After the spheres: their places come first.
   void add_planes() {
-    out_.surfaces.numbers.resize(scene_.planes.size() * surface_columns);
+    out_.surfaces.numbers.resize((out_.first_plane() + scene_.planes.size()) * surface_columns);
     for (const PlaneObject& plane : scene_.planes) {
       out_.planes.push_back({to<T>(plane.shape.point - origin_), to<T>(unit(plane.shape.normal))});
       add_finish(plane.material);
-      set_surface(out_.planes.size() - 1, plane.material.color, finish_count() - 1);
+      set_surface(out_.first_plane() + out_.planes.size() - 1, plane.material.color, finish_count() - 1);
     }
   }
 
@@ -308,7 +309,7 @@ class Builder {
          {&spheres.center.x, &spheres.center.y, &spheres.center.z, &spheres.radius, &spheres.reach})
       numbers->resize(count, none);
     spheres.id.resize(count, no_geometry);
-    out_.surfaces.numbers.resize((out_.planes.size() + count) * surface_columns);
+    out_.surfaces.numbers.resize(count * surface_columns);
   }
 
   void set_sphere(std::size_t place, const SphereList& list, std::size_t i) {
@@ -323,7 +324,7 @@ class Builder {
     spheres.radius[place] = static_cast<T>(sphere.radius);
     spheres.reach[place] = wider * (spheres.radius[place] * spheres.radius[place]);
     spheres.id[place] = batch.first_id + static_cast<GeometryId>(at);
-    set_surface(out_.planes.size() + place, batch.color(at), batch.finish);
+    set_surface(place, batch.color(at), batch.finish);
   }
 
   Prepared<T>& out_;
@@ -377,8 +378,8 @@ Prepared<T> prepare(const Scene& scene, const Settings& settings, bool hierarchy
   out.camera = prepare_camera<T>(scene.camera, origin, settings.size);
   out.background = to<T>(scene.background);
   Builder<T> builder(out, scene, origin, threads);
-  builder.add_planes();
   builder.add_spheres(hierarchy);
+  builder.add_planes();
   builder.note_features();
   builder.add_lights();
   return out;

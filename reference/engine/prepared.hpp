@@ -122,8 +122,8 @@ struct Features {
 inline constexpr std::size_t most_bounces = 100;
 
 /// A scene made ready for tracing in T at one stage. All that needs a transcendental function or a unit vector is computed
-/// here, in double. A surface's *place* is that of its plane, or its sphere's with the planes before it: the spheres stand
-/// in an order that is good for searching, and only `id` knows the scene's own.
+/// here, in double. A surface's *place* is that of its sphere in `spheres`, which stand in an order that is good for
+/// searching (only `id` knows the scene's own), or its plane's, with all of `spheres` before it.
 template <class T>
 struct Prepared {
   Settings settings;
@@ -140,6 +140,9 @@ struct Prepared {
   T ambient{};  ///< all ambient lights together
   Features features;
   EngineFacts facts;
+
+  /// Its place.
+  std::size_t first_plane() const { return spheres.radius.size(); }
 };
 
 /// A camera as it is seen from `origin`.

@@ -49,44 +49,52 @@ class Lighting {
 
   /// All the light that surfaces send back against `d`, but for their colors.
   RAYLAB_INLINE V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
-    if (scene_.features.shadows) return light_on<true>(hit, d, look, lit, counts);
-    return light_on<false>(hit, d, look, lit, counts);
+    const Features& features = scene_.features;
+    if (features.highlights && features.shadows) return all_lights<true, true>(hit, d, look, lit, counts);
+    if (features.highlights) return all_lights<true, false>(hit, d, look, lit, counts);
+    if (features.shadows) return all_lights<false, true>(hit, d, look, lit, counts);
+    return all_lights<false, false>(hit, d, look, lit, counts);
   }
 
  private:
-  /// A function of its own for scenes without shadows: in one for both these would keep registers busy.
-  template <bool shadows>
-  [[gnu::noinline]] V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
+  /// Functions of their own for scenes without highlights or shadows: in one for all these would keep registers busy.
+  template <bool highlights, bool shadows>
+  [[gnu::noinline]] V all_lights(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit,
+                                 RayCounts& counts) const {
     V sum(scene_.ambient);
     const Area<T> area = shadows ? area_of(hit.point, lit) : Area<T>{};
     for (const PreparedPointLight<T>& light : scene_.point_lights) {
       const PointSeen<V> point = see_point(hit.point, spread<V>(light.position));
       const V strength = V(light.intensity) * (point.fall_off * point.fall_off);
-      sum = sum + light_from<shadows>({point.l, point.distance, light.planes}, strength, hit, area, d, look, lit, counts);
+      sum = sum + light_from<highlights, shadows>({point.l, point.distance, light.planes}, strength, hit, area, d, look, lit,
+                                                  counts);
     }
     for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {
       const Seen<V> seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.planes};
-      sum = sum + light_from<shadows>(seen, V(light.intensity), hit, area, d, look, lit, counts);
+      sum = sum + light_from<highlights, shadows>(seen, V(light.intensity), hit, area, d, look, lit, counts);
     }
     return sum;
   }
 
   /// 0 where the light is not seen; from so far away that distances are infinite, it is not.
-  template <bool shadows>
+  template <bool highlights, bool shadows>
   RAYLAB_INLINE V light_from(const Seen<V>& light, V strength, const Hit<V>& hit, const Area<T>& area, const Vec3<V>& d,
                              const Look<V>& look, Mask lit, RayCounts& counts) const {
     const V cosine = dot(light.l, hit.normal);
     lit = lit & (cosine > V(0));
-    // In the very plane that it would light the rounded cosine is not 0, and may be above it.
-    for (const auto& [plane, side] : light.planes)
-      if (side == 0) lit = without(lit, hit.place == Index(static_cast<Whole>(plane)));
+    Mask open = lit;
+    if (!light.planes.empty()) [[unlikely]] {
+      const typename ShadowSearch<V>::PastPlanes past = shadows_.past_planes(hit, light.planes, lit);
+      lit = past.lit;
+      open = past.open;
+    }
     if (none(lit)) return V(0);
     if constexpr (shadows) {
       counts.shadow += count(lit);
-      lit = shadows_.unblocked(hit, area, light, lit);
+      lit = shadows_.unblocked(hit, area, light, open);
       if (none(lit)) return V(0);
     }
-    const V shown = scene_.features.highlights ? cosine + shine(light, hit, d, look, lit) : cosine;
+    const V shown = highlights ? cosine + shine(light, hit, d, look, lit) : cosine;
     return select(lit, shown * strength, V(0));
   }
 

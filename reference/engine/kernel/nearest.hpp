@@ -2,8 +2,8 @@
 
 namespace raylab::fast::RAYLAB_TARGET {
 
-/// Finds the nearest surfaces that rays meet, and where.
-template <class V>
+/// Finds the nearest surfaces that rays meet, and where, in scenes with planes or without.
+template <class V, bool planes>
 class NearestSearch {
  public:
   using T = NumberOf<V>;
@@ -12,21 +12,15 @@ class NearestSearch {
   using Whole = WholeOf<V>;
 
   explicit NearestSearch(const Prepared<T>& scene)
-      : scene_(scene), spheres_(scene), tile_growth_(growth_of_tile<V>(scene.camera)) {}
+      : scene_(scene), spheres_(scene), first_plane_(scene.first_plane()), tile_growth_(growth_of_tile<V>(scene.camera)) {}
 
-  /// `primary`: the rays are the camera's through one tile, there is one in the first lane.
-  RAYLAB_INLINE Nearest<V> nearest_surface(const Ray<V>& ray, Mask lanes, bool primary) const {
+  /// `primary`: the rays are the camera's through one tile, there is one in the first lane, and none leaves a surface.
+  template <bool primary>
+  RAYLAB_INLINE Nearest<V> nearest_surface(const Ray<V>& ray, Mask lanes) const {
     Nearest<V> best = {V(std::numeric_limits<T>::infinity()), Index(-1)};
-    for (Whole i = 0; i < spheres_.plane_count(); ++i) {
-      const PreparedPlane<T>& plane = scene_.planes[static_cast<std::size_t>(i)];
-      const V t = plane_distance(ray.origin, ray.direction, spread<V>(plane.point), spread<V>(plane.normal));
-      const Index place(i);
-      const Mask closer = without(lanes & (t >= V(0)) & (t < best.t), ray.leaves == place);
-      best.t = select(closer, t, best.t);
-      best.place = select(closer, place, best.place);
-    }
-    if (any(ray.inwards)) meet_own_sphere(ray, lanes & ray.inwards, best);
-    if (scene_.spheres.count > 0) nearest_sphere(ray, lanes, primary, best);
+    if constexpr (planes) meet_planes(ray, lanes, best);
+    if (!primary && any(ray.inwards)) meet_own_sphere(ray, lanes & ray.inwards, best);
+    if (scene_.spheres.count > 0) nearest_sphere<primary>(ray, lanes, best);
     return best;
   }
 
@@ -38,10 +32,12 @@ class NearestSearch {
     Hit<V> hit;
     hit.place = nearest.place;
     hit.point = ray.origin + nearest.t * ray.direction;
-    if (!places.same())
+    if constexpr (!planes)
+      on_sphere(ray, nearest, places, met, hit);
+    else if (!places.same())
       on_surfaces(ray, nearest, places, met, hit);
-    else if (places.common() < spheres_.plane_count())
-      on_plane(ray, places.common(), hit);
+    else if (const auto place = static_cast<std::size_t>(places.common()); place >= first_plane_)
+      on_plane(ray, place - first_plane_, hit);
     else
       on_sphere(ray, nearest, places, met, hit);
     return hit;
@@ -53,17 +49,29 @@ class NearestSearch {
   /// To ask so many is faster than to find out which ones a beam reaches.
   static constexpr std::size_t few_spheres = 8;
 
-  RAYLAB_INLINE void nearest_sphere(const Ray<V>& ray, Mask lanes, bool primary, Nearest<V>& best) const {
+  RAYLAB_INLINE void meet_planes(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
+    for (std::size_t i = 0; i < scene_.planes.size(); ++i) {
+      const PreparedPlane<T>& plane = scene_.planes[i];
+      const V t = plane_distance(ray.origin, ray.direction, spread<V>(plane.point), spread<V>(plane.normal));
+      const Index place = spheres_.all_at(first_plane_ + i);
+      replace(without(lanes & (t >= V(0)) & (t < best.t), ray.leaves == place), t, place, best);
+    }
+  }
+
+  template <bool primary>
+  RAYLAB_INLINE void nearest_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
     const std::size_t count = scene_.spheres.count;
     if (count > few_spheres) {
       nearest_of_many(ray, lanes, best);
-    } else if (primary) {
+    } else if constexpr (primary) {
       const Point<T> direction = lane(ray.direction, 0);
       const Beam<T> beam = {scene_.camera.position, direction, 0, tile_growth_, std::numeric_limits<T>::infinity()};
-      spheres_.for_each_reached(beam, 0, count, [&](std::size_t i) RAYLAB_ATTRIBUTE {
-        meet_sphere(ray, lanes, i, best);
-        return true;
-      });
+      // Inlined, whatever else the compiler has to inline.
+      spheres_.for_each_reached(
+          beam, 0, count, [&](std::size_t i) RAYLAB_ATTRIBUTE __attribute__((always_inline)) {
+            meet_sphere(ray, lanes, i, best);
+            return true;
+          });
     } else {
       for (std::size_t i = 0; i < count; ++i) meet_sphere(ray, lanes, i, best);
     }
@@ -87,7 +95,7 @@ class NearestSearch {
   }
 
   void meet_own_sphere(const Ray<V>& ray, Mask lanes, Nearest<V>& best) const {
-    const V t = far_side(pass(ray.origin, ray.direction, spheres_.centers(spheres_.sphere_of(ray.leaves, lanes))));
+    const V t = far_side(pass(ray.origin, ray.direction, spheres_.centers(spheres_.spheres_at(ray.leaves, lanes))));
     update(lanes, t, ray.leaves, best);
   }
 
@@ -95,17 +103,17 @@ class NearestSearch {
     const Passing<V> passing = pass(ray.origin, ray.direction, spheres_.center(i));
     const Mask close = spheres_.passing_close(lanes, i, passing);
     if (none(close)) return;
-    const Mask asked = without(close, ray.leaves == spheres_.place_of(i));
+    const Mask asked = without(close, ray.leaves == spheres_.all_at(i));
     const V radius = spheres_.radius(i);
     if (any(starts_within(asked, passing, radius))) [[unlikely]]
       return meet_sphere_from_within(ray, asked, i, best);
     const Meeting<V> meeting = meet_from_afar(asked, passing, radius);
-    update(meeting.met, meeting.t, spheres_.place_of(i), best);
+    update(meeting.met, meeting.t, spheres_.all_at(i), best);
   }
 
   [[gnu::noinline]] void meet_sphere_from_within(const Ray<V>& ray, Mask asked, std::size_t i, Nearest<V>& best) const {
     const Meeting<V> meeting = meet(asked, ray.origin, ray.direction, spheres_.center(i), spheres_.radius(i));
-    update(meeting.met, meeting.t, spheres_.place_of(i), best);
+    update(meeting.met, meeting.t, spheres_.all_at(i), best);
   }
 
   /// The nearer one wins; of equal t the one that stands first in the scene (D7).
@@ -137,9 +145,9 @@ class NearestSearch {
     return mask_of<V>(before);
   }
 
-  GeometryId id_of(Whole place) const {
-    return place < spheres_.plane_count() ? static_cast<GeometryId>(place)
-                                          : scene_.spheres.id[static_cast<std::size_t>(place - spheres_.plane_count())];
+  GeometryId id_of(Whole whole) const {
+    const auto place = static_cast<std::size_t>(whole);
+    return place >= first_plane_ ? static_cast<GeometryId>(place - first_plane_) : scene_.spheres.id[place];
   }
 
   [[gnu::noinline]] void search_nearest(const Ray<V>& ray, Mask lanes, const Beam<T>& beam, const SphereGroup& group,
@@ -179,7 +187,7 @@ class NearestSearch {
     for (std::uint32_t rest = bits(meeting.met); rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
       const T here = distances[static_cast<std::size_t>(lane)];
-      const Whole candidate = spheres_.plane_count() + static_cast<Whole>(i) + lane;
+      const Whole candidate = static_cast<Whole>(i) + lane;
       if (here < t || (here == t && id_of(candidate) < id_of(place))) {
         t = here;
         place = candidate;
@@ -211,8 +219,8 @@ class NearestSearch {
     hit.normal = straightened(select(hit.inside, -outwards, outwards));
   }
 
-  void on_plane(const Ray<V>& ray, Whole i, Hit<V>& hit) const {
-    const Vec3<V> normal = spread<V>(scene_.planes[static_cast<std::size_t>(i)].normal);
+  void on_plane(const Ray<V>& ray, std::size_t i, Hit<V>& hit) const {
+    const Vec3<V> normal = spread<V>(scene_.planes[i].normal);
     hit.normal = select(dot(normal, ray.direction) > V(0), -normal, normal);
     hit.inside = mask_of<V>(0);
   }
@@ -221,10 +229,10 @@ class NearestSearch {
                                      Hit<V>& hit) const {
     hit.normal = zero<V>();
     hit.inside = mask_of<V>(0);
-    const Mask spheres = met & (nearest.place >= Index(spheres_.plane_count()));
+    const Mask spheres = met & (nearest.place < spheres_.all_at(first_plane_));
     if (any(spheres)) on_sphere(ray, nearest, places, spheres, hit);
-    for (Whole i = 0; i < spheres_.plane_count(); ++i) {
-      const Mask here = met & (nearest.place == Index(i));
+    for (std::size_t i = 0; i < scene_.planes.size(); ++i) {
+      const Mask here = met & (nearest.place == spheres_.all_at(first_plane_ + i));
       if (none(here)) continue;
       Hit<V> there;
       on_plane(ray, i, there);
@@ -235,6 +243,7 @@ class NearestSearch {
 
   const Prepared<T>& scene_;
   const SphereSearch<V> spheres_;
+  const std::size_t first_plane_;  ///< its place
   const T tile_growth_;
 };
 

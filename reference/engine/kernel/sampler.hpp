@@ -11,7 +11,7 @@ Vec3<V> pairwise_sum(std::span<const Element> elements, const Color& color) {
 }
 
 /// Samples the pixels of whole rows.
-template <class V>
+template <class V, Needs needs>
 class Sampler {
  public:
   using T = NumberOf<V>;
@@ -34,7 +34,10 @@ class Sampler {
   /// Whole rows, as Engine::trace_rows says.
   void rows(int first_row, std::span<Color> pixels) {
     if (scene_.samples.size() == 1)  // through the center
-      tiles(first_row, pixels, [this](V x, V y, Mask lanes) RAYLAB_ATTRIBUTE { return primary(x, y, lanes); });
+      tiles(
+          first_row, pixels, [this](V x, V y, Mask lanes) RAYLAB_ATTRIBUTE __attribute__((always_inline)) {
+            return primary(x, y, lanes);
+          });
     else if (scene_.adaptive)
       tiles(first_row, pixels, [this](V x, V y, Mask lanes) RAYLAB_ATTRIBUTE { return adaptive_pixel(x, y, lanes); });
     else
@@ -42,9 +45,10 @@ class Sampler {
   }
 
  private:
-  /// Tile by tile, color(x, y, lanes) being that of the pixels whose centers are at (x, y), not yet clamped.
+  /// Tile by tile, color(x, y, lanes) being that of the pixels whose centers are at (x, y), not yet clamped. A function of
+  /// its own for each way to sample, so that none has to share registers with the others.
   template <class ColorOf>
-  RAYLAB_INLINE void tiles(int first_row, std::span<Color> pixels, const ColorOf& color) {
+  [[gnu::noinline]] void tiles(int first_row, std::span<Color> pixels, const ColorOf& color) {
     const int width = scene_.settings.size.width;
     const int height = static_cast<int>(pixels.size() / static_cast<std::size_t>(width));
     for (int row = 0; row < height; row += Tile::height)
@@ -92,8 +96,11 @@ class Sampler {
   }
 
   Vec3<V> sample(V x, V y, const SampleOffset& offset, Mask lanes) {
-    return primary(x + V(static_cast<T>(offset.dx)), y + V(static_cast<T>(offset.dy)), lanes);
+    return sample(x + V(static_cast<T>(offset.dx)), y + V(static_cast<T>(offset.dy)), lanes);
   }
+
+  /// One of several: they are asked for in several places, which share this one copy of all that is inlined into it.
+  [[gnu::noinline]] Vec3<V> sample(V x, V y, Mask lanes) { return primary(x, y, lanes); }
 
   RAYLAB_INLINE Vec3<V> adaptive_pixel(V x, V y, Mask lanes) {
     Vec3<V> sum = zero<V>(), least_seen = {V(1), V(1), V(1)}, greatest_seen = zero<V>();
@@ -136,7 +143,7 @@ class Sampler {
     for (std::size_t i = 0; i < count; i += lanes) {
       const std::uint32_t there =
           count - i >= lanes ? static_cast<std::uint32_t>((1ull << lanes) - 1) : (1u << (count - i)) - 1;
-      const Vec3<V> color = primary(load<V>(&xs[i]), load<V>(&ys[i]), mask_of<V>(there));
+      const Vec3<V> color = sample(load<V>(&xs[i]), load<V>(&ys[i]), mask_of<V>(there));
       store(color.x, &colors[0][i]);
       store(color.y, &colors[1][i]);
       store(color.z, &colors[2][i]);
@@ -166,14 +173,22 @@ class Sampler {
   V tile_x_, tile_y_;  // of each lane, in its tile
   Mask all_;
   RayCounts& counts_;
-  Tracer<V> tracer_;
+  Tracer<V, needs> tracer_;
 };
 
-/// A kernel's entry: see TraceRows.
+/// A kernel's entry: see TraceRows. Takes the code that has what the scene needs, and no more.
 template <class V>
 void trace_rows(const Prepared<NumberOf<V>>& scene, int first_row, std::span<Color> pixels, RayCounts& counts,
                 const std::atomic<bool>& cancel) {
-  Sampler<V>(scene, counts, cancel).rows(first_row, pixels);
+  const bool planes = !scene.planes.empty(), bounces = scene.features.mirrors || scene.features.glass;
+  if (planes && bounces)
+    Sampler<V, Needs{true, true}>(scene, counts, cancel).rows(first_row, pixels);
+  else if (planes)
+    Sampler<V, Needs{true, false}>(scene, counts, cancel).rows(first_row, pixels);
+  else if (bounces)
+    Sampler<V, Needs{false, true}>(scene, counts, cancel).rows(first_row, pixels);
+  else
+    Sampler<V, Needs{false, false}>(scene, counts, cancel).rows(first_row, pixels);
 }
 
 }  // namespace raylab::fast::RAYLAB_TARGET

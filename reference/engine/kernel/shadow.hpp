@@ -21,11 +21,23 @@ class ShadowSearch {
 
   explicit ShadowSearch(const Prepared<T>& scene) : scene_(scene), spheres_(scene) {}
 
-  /// Those of `asked` that nothing opaque hides from the light.
-  RAYLAB_INLINE Mask unblocked(const Hit<V>& hit, const Area<T>& area, const Seen<V>& light, Mask asked) const {
-    Mask open = not_behind_planes(hit, light.planes, asked);
+  /// What the planes of a light leave of the points that face it.
+  struct PastPlanes {
+    Mask lit;   ///< without those in the very plane that the light is in: the rounded L.N is not 0, and may be above it
+    Mask open;  ///< and without those behind a plane
+  };
+
+  /// Apart, since few lights have such planes.
+  [[gnu::noinline]] PastPlanes past_planes(const Hit<V>& hit, const std::vector<LightPlane>& planes, Mask lit) const {
+    for (const auto& [plane, side] : planes)
+      if (side == 0) lit = without(lit, hit.place == place_of_plane(plane));
+    return {lit, not_behind_planes(hit, planes, lit)};
+  }
+
+  /// Those of `open` that no opaque sphere hides from the light.
+  RAYLAB_INLINE Mask unblocked(const Hit<V>& hit, const Area<T>& area, const Seen<V>& light, Mask open) const {
     const SphereGroup& opaque = scene_.spheres.opaque;
-    const Mask inside = open & hit.inside & (hit.place < spheres_.place_of(scene_.spheres.glass.begin));
+    const Mask inside = open & hit.inside & (hit.place < spheres_.all_at(scene_.spheres.glass.begin));
     if (any(inside)) open = without(open, inside & far_side_blocks(hit, light, inside));
     const Beam<T> beam = beam_of(area, light.l, light.distance);
     spheres_.for_each_reached(beam, opaque.begin, opaque.loop_end, [&](std::size_t i) RAYLAB_ATTRIBUTE {
@@ -39,26 +51,28 @@ class ShadowSearch {
  private:
   using Row = typename SphereSearch<V>::Row;
 
+  Index place_of_plane(int i) const { return spheres_.all_at(scene_.first_plane() + static_cast<std::size_t>(i)); }
+
   Mask not_behind_planes(const Hit<V>& hit, const std::vector<LightPlane>& planes, Mask asked) const {
     for (const auto& [i, side] : planes) {
       if (side == 0) continue;
       const PreparedPlane<T>& plane = scene_.planes[static_cast<std::size_t>(i)];
       const V height = dot(hit.point - spread<V>(plane.point), spread<V>(plane.normal));
       const Mask behind = side > 0 ? height <= V(0) : height >= V(0);
-      asked = without(asked, without(behind, hit.place == Index(static_cast<Whole>(i))));
+      asked = without(asked, without(behind, hit.place == place_of_plane(i)));
     }
     return asked;
   }
 
   Mask far_side_blocks(const Hit<V>& hit, const Seen<V>& light, Mask lanes) const {
-    return far_side(pass(hit.point, light.l, spheres_.centers(spheres_.sphere_of(hit.place, lanes)))) < light.distance;
+    return far_side(pass(hit.point, light.l, spheres_.centers(spheres_.spheres_at(hit.place, lanes)))) < light.distance;
   }
 
   RAYLAB_INLINE Mask blocked_by(const Hit<V>& hit, const Seen<V>& light, Mask open, std::size_t i) const {
     const Passing<V> passing = pass(hit.point, light.l, spheres_.center(i));
     const Mask close = spheres_.passing_close(open, i, passing);
     if (none(close)) return close;
-    const Mask asked = without(close, hit.place == spheres_.place_of(i));
+    const Mask asked = without(close, hit.place == spheres_.all_at(i));
     const V radius = spheres_.radius(i);
     if (any(starts_within(asked, passing, radius))) [[unlikely]]
       return blocked_from_within(hit, light, asked, i);

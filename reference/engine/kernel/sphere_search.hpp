@@ -20,16 +20,13 @@ class SphereSearch {
   using Row = SingleOf<V>;  ///< spheres side by side, that one ray or beam asks
   static_assert(Lanes<Row>::count <= Spheres<T>::padding);
 
-  explicit SphereSearch(const Prepared<T>& scene) : scene_(scene), plane_count_(static_cast<Whole>(scene.planes.size())) {}
+  explicit SphereSearch(const Prepared<T>& scene) : scene_(scene) {}
 
-  Whole plane_count() const { return plane_count_; }
+  /// A place in all lanes.
+  static Index all_at(std::size_t place) { return Index(static_cast<Whole>(place)); }
 
-  Index place_of(std::size_t sphere) const { return Index(plane_count_ + static_cast<Whole>(sphere)); }
-
-  /// The place in Spheres of each lane's sphere; 0 in the lanes that have none.
-  Index sphere_of(Index place, Mask lanes) const {
-    return select(lanes & (place >= Index(plane_count_)), place - Index(plane_count_), Index(0));
-  }
+  /// The places of the spheres that are in `lanes`; 0 in the others.
+  static Index spheres_at(Index place, Mask lanes) { return select(lanes, place, Index(0)); }
 
   Vec3<V> centers(Index sphere) const {
     const PointArray<T>& center = scene_.spheres.center;
@@ -41,10 +38,10 @@ class SphereSearch {
   /// Each lane's sphere; the first one in the lanes that have none.
   Ball<V> balls_at(const Places<V>& places, Mask lanes) const {
     if (places.same()) {
-      const auto sphere = static_cast<std::size_t>(places.common() - plane_count_);
+      const auto sphere = static_cast<std::size_t>(places.common());
       return {center(sphere), radius(sphere)};
     }
-    const Index sphere = sphere_of(places.each(), lanes);
+    const Index sphere = spheres_at(places.each(), lanes);
     return {centers(sphere), gather(scene_.spheres.radius.data(), sphere)};
   }
 
@@ -62,8 +59,7 @@ class SphereSearch {
     const Vec3<Row> c = {load<Row>(&spheres.center.x[i]), load<Row>(&spheres.center.y[i]), load<Row>(&spheres.center.z[i])};
     const Vec3<Row> o = spread<Row>(ray.origin);
     const Passing<Row> passing = pass(o, spread<Row>(ray.direction), c);
-    const MaskOf<Row> own =
-        lane_numbers<Row>() + IndexOf<Row>(plane_count_ + static_cast<Whole>(i)) == IndexOf<Row>(ray.leaves);
+    const MaskOf<Row> own = lane_numbers<Row>() + IndexOf<Row>(static_cast<Whole>(i)) == IndexOf<Row>(ray.leaves);
     const MaskOf<Row> asked = without(passing.apart <= load<Row>(&spheres.reach[i]), own);
     if (none(asked)) return {asked, Row(0), Row(0), asked};
     const Row radius = load<Row>(&spheres.radius[i]);
@@ -137,7 +133,6 @@ class SphereSearch {
   }
 
   const Prepared<T>& scene_;
-  const Whole plane_count_;
 };
 
 }  // namespace raylab::fast::RAYLAB_TARGET

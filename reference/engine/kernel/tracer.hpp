@@ -38,10 +38,16 @@ class WaitingRays {
   std::size_t size_ = 0, held_ = 0;
 };
 
+/// What a kernel is compiled for, so that scenes without it neither ask nor keep registers for it.
+struct Needs {
+  bool planes;
+  bool bounces;  ///< off mirrors and through glass
+};
+
 /// Follows the rays of a few pixels at a time, one in each lane, through a prepared scene. Lanes never mix: what one holds
 /// does not depend on the others, nor on how many there are. One for each call of trace_rows: it holds the rays that wait,
 /// the counts, and nothing that one pixel could pass on to the next.
-template <class V>
+template <class V, Needs needs>
 class Tracer {
  public:
   using T = NumberOf<V>;
@@ -54,11 +60,13 @@ class Tracer {
   /// The color at the end of primary rays. Glass splits a ray in two: those to come wait on a stack, which never holds more
   /// than one for each bounce.
   RAYLAB_INLINE Vec3<V> color(const Ray<V>& primary_rays, Mask lanes) {
-    Vec3<V> sum = select(lanes, surface_color({primary_rays, V(1), lanes, 0}), zero<V>());
-    while (!waiting_.empty()) {
-      const Waiting& next = waiting_.pop();
-      sum = select(next.lanes, sum + next.weight * surface_color(next), sum);
-      waiting_.release(next);
+    Vec3<V> sum = select(lanes, surface_color<true>({primary_rays, V(1), lanes, 0}), zero<V>());
+    if constexpr (needs.bounces) {
+      while (!waiting_.empty()) {
+        const Waiting& next = waiting_.pop();
+        sum = select(next.lanes, sum + next.weight * next_surface_color(next), sum);
+        waiting_.release(next);
+      }
     }
     return sum;
   }
@@ -73,22 +81,28 @@ class Tracer {
   };
 
   /// The color that the nearest surface itself sends back; the rays that it sends on are added to those that wait.
-  Vec3<V> surface_color(const Waiting& from) {
+  /// `primary` as in NearestSearch::nearest_surface().
+  template <bool primary>
+  RAYLAB_INLINE Vec3<V> surface_color(const Waiting& from) {
     if (cancel_.load(std::memory_order_relaxed)) throw Cancelled{};
-    const Nearest<V> nearest = nearest_.nearest_surface(from.ray, from.lanes, from.bounce == 0);
+    const Nearest<V> nearest = nearest_.template nearest_surface<primary>(from.ray, from.lanes);
     const Mask met = from.lanes & (nearest.place >= Index(0));
     if (none(met)) return spread<V>(scene_.background);
     const Places<V> places(nearest.place, met);
     const Look<V> look(scene_, places);
     if (scene_.settings.stage == 2) return select(met, look.color(), spread<V>(scene_.background));
     const Hit<V> hit = nearest_.hit_at(from.ray, nearest, places, met);
-    if (scene_.features.glass) {
-      const Mask glass = met & (look[is_glass] > V(0));
-      if (any(glass)) return glass_color(from, hit, look, places, met, glass);
+    if constexpr (needs.bounces) {
+      if (scene_.features.glass) {
+        const Mask glass = met & (look[is_glass] > V(0));
+        if (any(glass)) return glass_color(from, hit, look, places, met, glass);
+      }
+      if (scene_.features.mirrors && goes_on(from)) send_reflected(from, hit, look[mirror], met);
     }
-    if (scene_.features.mirrors && goes_on(from)) send_reflected(from, hit, look[mirror], met);
     return select(met, lit_color(from, hit, look, met), spread<V>(scene_.background));
   }
+
+  [[gnu::noinline]] Vec3<V> next_surface_color(const Waiting& from) { return surface_color<false>(from); }
 
   /// The same where the surfaces of `glass` are glass, which sends all its light on.
   [[gnu::noinline]] Vec3<V> glass_color(const Waiting& from, const Hit<V>& hit, const Look<V>& look, const Places<V>& places,
@@ -148,7 +162,7 @@ class Tracer {
   }
 
   const Prepared<T>& scene_;
-  const NearestSearch<V> nearest_;
+  const NearestSearch<V, needs.planes> nearest_;
   const Lighting<V> lighting_;
   RayCounts& counts_;
   const std::atomic<bool>& cancel_;
