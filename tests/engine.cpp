@@ -226,6 +226,22 @@ TEST_CASE("engine: a plane so far away that float has no square of its distance 
   }
 }
 
+TEST_CASE("engine: a lamp within a tilted plane does not light it, whatever the sign of the rounded L.N", "[engine]") {
+  Scene scene;
+  const Vec3 normal{1, 2, 2}, along{2, -2, 1};
+  scene.camera = {{1, 5, 9}, {-0.2, -1, -0.9}, {0, 1, 0}, 30};
+  scene.planes = {{{{0, -2, 0}, normal}, {Color(1), 20, false, 1.5}}};
+  scene.point_lights = {{Vec3(0, -2, 0) + 0.7 * along, 100}};
+  scene.ambient_lights = {{0.25}};
+  constexpr ImageSize size{40, 30};
+  for (const Precision precision : {Precision::f32, Precision::f64})
+    for (const SimdTarget& target : simd_targets()) {
+      const auto engine = make_fast(scene, {4, size, 2, {}}, {precision, std::string(target.name)});
+      const Image image = render_image(*engine, size, 1);
+      CHECK(std::count(image.pixels.begin(), image.pixels.end(), Color(0.25)) == 40 * 30);
+    }
+}
+
 TEST_CASE("engine: more bounces than it has room for are refused", "[engine]") {
   const Scene scene = one_sphere({{0, 0, -5}, 1});
   CHECK_NOTHROW(make_fast(scene, {5, {1, 1}, 100, {}}, {}));
