@@ -347,21 +347,28 @@ class NodeBuilder {
 
   void build(std::span<Leaf> leaves, int level) {
     const std::size_t number = nodes_.size();
-    nodes_.emplace_back().child.fill(Hierarchy::Child::nothing());
+    nodes_.push_back(empty_node());
     const std::vector<Group> groups = divided(leaves, level);
-    for (std::size_t slot = 0; slot < Hierarchy::width; ++slot) {
-      const Box box = slot < groups.size() ? groups[slot].box : Box{};
+    for (std::size_t slot = 0; slot < groups.size(); ++slot) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        nodes_[number].planes[0][axis][slot] = box.low[axis];
-        nodes_[number].planes[1][axis][slot] = box.high[axis];
+        nodes_[number].planes[0][axis][slot] = groups[slot].box.low[axis];
+        nodes_[number].planes[1][axis][slot] = groups[slot].box.high[axis];
       }
-      if (slot < groups.size()) place(groups[slot].leaves, number, slot, level + 1);
+      place(groups[slot].leaves, number, slot, level + 1);
     }
   }
 
   const std::vector<Task>& tasks() const { return tasks_; }
 
  private:
+  static Hierarchy::Node empty_node() {
+    Hierarchy::Node node;
+    for (auto& of_all_axes : node.planes)
+      for (auto& places : of_all_axes) places.fill(std::numeric_limits<float>::quiet_NaN());
+    node.child.fill(Hierarchy::Child::nothing());
+    return node;
+  }
+
   void place(std::span<Leaf> leaves, std::size_t node, std::size_t slot, int level) {
     if (leaves.size() == 1)
       nodes_[node].child[slot] = Hierarchy::Child::leaf(leaves[0].begin, leaves[0].count);

@@ -45,8 +45,8 @@ class Hierarchy {
     std::uint32_t word_;
   };
 
-  /// Six planes around each child: planes[0][axis] is where its box begins, planes[1][axis] where it ends. The box of a
-  /// child that is not there begins at infinity and ends at minus infinity.
+  /// Six planes around each child: planes[0][axis] is where its box begins, planes[1][axis] where it ends. Those of a child
+  /// that is not there are NaN: no ray meets them, whichever comes first.
   struct alignas(32) Node {
     std::array<std::array<std::array<float, width>, 3>, 2> planes;
     std::array<Child, width> child;

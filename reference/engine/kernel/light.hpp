@@ -49,35 +49,40 @@ class Lighting {
 
   /// All the light that surfaces send back against `d`, but for their colors.
   RAYLAB_INLINE V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
-    const Features& features = scene_.features;
-    if (features.highlights && features.shadows) return all_lights<true, true>(hit, d, look, lit, counts);
-    if (features.highlights) return all_lights<true, false>(hit, d, look, lit, counts);
-    if (features.shadows) return all_lights<false, true>(hit, d, look, lit, counts);
-    return all_lights<false, false>(hit, d, look, lit, counts);
+    if (scene_.features.highlights) return all_lights<true>(hit, d, look, lit, counts);
+    return all_lights<false>(hit, d, look, lit, counts);
   }
 
  private:
-  /// Functions of their own for scenes without highlights or shadows: in one for all these would keep registers busy.
-  template <bool highlights, bool shadows>
+  template <bool highlights>
+  RAYLAB_INLINE V all_lights(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
+    if (!scene_.features.shadows) return all_lights<highlights, Hiding::nothing>(hit, d, look, lit, counts);
+    if (!scene_.spheres.opaque.hierarchy) return all_lights<highlights, Hiding::few>(hit, d, look, lit, counts);
+    return all_lights<highlights, Hiding::many>(hit, d, look, lit, counts);
+  }
+
+  /// Functions of their own for scenes without highlights, or with less that may hide lights: in one for all these would
+  /// keep registers busy.
+  template <bool highlights, Hiding hiding>
   [[gnu::noinline]] V all_lights(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit,
                                  RayCounts& counts) const {
     V sum(scene_.ambient);
-    const Area<T> area = shadows ? area_of(hit.point, lit) : Area<T>{};
+    const Area<T> area = hiding != Hiding::nothing ? area_of(hit.point, lit) : Area<T>{};
     for (const PreparedPointLight<T>& light : scene_.point_lights) {
       const PointSeen<V> point = see_point(hit.point, spread<V>(light.position));
       const V strength = V(light.intensity) * (point.fall_off * point.fall_off);
-      sum = sum + light_from<highlights, shadows>({point.l, point.distance, light.planes}, strength, hit, area, d, look, lit,
-                                                  counts);
+      sum = sum + light_from<highlights, hiding>({point.l, point.distance, light.planes}, strength, hit, area, d, look, lit,
+                                                 counts);
     }
     for (const PreparedDirectionalLight<T>& light : scene_.directional_lights) {
       const Seen<V> seen = {spread<V>(light.l), V(std::numeric_limits<T>::infinity()), light.planes};
-      sum = sum + light_from<highlights, shadows>(seen, V(light.intensity), hit, area, d, look, lit, counts);
+      sum = sum + light_from<highlights, hiding>(seen, V(light.intensity), hit, area, d, look, lit, counts);
     }
     return sum;
   }
 
   /// 0 where the light is not seen; from so far away that distances are infinite, it is not.
-  template <bool highlights, bool shadows>
+  template <bool highlights, Hiding hiding>
   RAYLAB_INLINE V light_from(const Seen<V>& light, V strength, const Hit<V>& hit, const Area<T>& area, const Vec3<V>& d,
                              const Look<V>& look, Mask lit, RayCounts& counts) const {
     const V cosine = dot(light.l, hit.normal);
@@ -89,9 +94,9 @@ class Lighting {
       open = past.open;
     }
     if (none(lit)) return V(0);
-    if constexpr (shadows) {
+    if constexpr (hiding != Hiding::nothing) {
       counts.shadow += count(lit);
-      lit = shadows_.unblocked(hit, area, light, open);
+      lit = shadows_.template unblocked<hiding>(hit, area, light, open);
       if (none(lit)) return V(0);
     }
     const V shown = highlights ? cosine + shine(light, hit, d, look, lit) : cosine;

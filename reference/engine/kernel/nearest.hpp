@@ -157,7 +157,8 @@ class NearestSearch {
       meet_sphere(ray, lanes, i, best);
       return true;
     };
-    if (!spheres_.search_beam(group, beam, lanes, limit, visit)) search_nearest_each(ray, lanes, group, best);
+    if (!spheres_.template search_beam<MetInOrder>(group, beam, lanes, limit, visit))
+      search_nearest_each(ray, lanes, group, best);
   }
 
   void search_nearest_each(const Ray<V>& ray, Mask lanes, const SphereGroup& group, Nearest<V>& best) const {
@@ -166,20 +167,24 @@ class NearestSearch {
     std::array<Whole, Lanes<V>::count> places;
     store(best.t, t.data());
     store(best.place, places.data());
-    Limits<Lanes<V>::count> limits = limits_of(bits(lanes), t);
+    NearestLimits<Lanes<V>::count> limits(bits(lanes), t);
     search_each(*group.hierarchy, rays.probes(*group.hierarchy), bits(lanes), limits,
-                [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
-                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count)
-                    if (nearer_of_spheres(rays.ray(lane), i, t[lane], places[lane])) limits[lane] = as_limit(t[lane]);
+                [&](std::size_t begin, std::size_t count, std::uint32_t here) RAYLAB_ATTRIBUTE {
+                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count) {
+                    const auto spheres = spheres_.spheres_from(i);
+                    for (std::uint32_t rest = here; rest != 0; rest &= rest - 1) {
+                      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+                      if (nearer_of_spheres(rays.ray(lane), spheres, t[lane], places[lane])) limits.shorten(lane, t[lane]);
+                    }
+                  }
                 });
     best.t = load<V>(t.data());
     best.place = load_index<V>(places.data());
   }
 
-  /// Does the ray meet one of the spheres from place i on before `t`? Then that becomes the nearest one's distance, and
-  /// `place` its place.
-  bool nearer_of_spheres(const Alone<T>& ray, std::size_t i, T& t, Whole& place) const {
-    const Meeting<Row> meeting = spheres_.meet_spheres(ray, i);
+  /// Does the ray meet one of the spheres before `t`? Then that becomes the nearest one's distance, and `place` its place.
+  bool nearer_of_spheres(const Alone<T>& ray, const typename SphereSearch<V>::SphereRow& spheres, T& t, Whole& place) const {
+    const Meeting<Row> meeting = spheres_.meet_spheres(ray, spheres);
     if (none(meeting.met)) return false;
     std::array<T, Lanes<Row>::count> distances;
     store(meeting.t, distances.data());
@@ -187,7 +192,7 @@ class NearestSearch {
     for (std::uint32_t rest = bits(meeting.met); rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
       const T here = distances[static_cast<std::size_t>(lane)];
-      const Whole candidate = static_cast<Whole>(i) + lane;
+      const Whole candidate = static_cast<Whole>(spheres.begin) + lane;
       if (here < t || (here == t && id_of(candidate) < id_of(place))) {
         t = here;
         place = candidate;

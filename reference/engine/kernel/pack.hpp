@@ -238,13 +238,10 @@ class Eight {
     for (auto& part : raw_) part = hn::Set(PartTag(), a);
   }
 
-  static HWY_INLINE Eight load(const std::array<float, 8>& numbers) {
+  static HWY_INLINE Eight load(const float* numbers) {
     Eight result;
-    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Load(PartTag(), numbers.data() + i * lanes);
+    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Load(PartTag(), numbers + i * lanes);
     return result;
-  }
-  HWY_INLINE void store(std::array<float, 8>& numbers) const {
-    for (std::size_t i = 0; i < parts; ++i) hn::StoreU(raw_[i], PartTag(), numbers.data() + i * lanes);
   }
 
   /// a b - c. Fused where the target can: the bits may differ, so this is for nothing that a pixel's color depends on.
@@ -263,13 +260,6 @@ class Eight {
     for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::Max(a.raw_[i], b.raw_[i]);
     return result;
   }
-  /// Number i of `yes` where that of `a` is at most that of `b`, else infinity.
-  friend HWY_INLINE Eight where_at_most(const Eight& a, const Eight& b, const Eight& yes) {
-    Eight result;
-    const auto no = hn::Set(PartTag(), std::numeric_limits<float>::infinity());
-    for (std::size_t i = 0; i < parts; ++i) result.raw_[i] = hn::IfThenElse(hn::Le(a.raw_[i], b.raw_[i]), yes.raw_[i], no);
-    return result;
-  }
   /// Bit i: is number i of `a` at most that of `b`?
   friend HWY_INLINE std::uint32_t at_most(const Eight& a, const Eight& b) {
     std::uint32_t mask = 0;
@@ -280,48 +270,141 @@ class Eight {
     }
     return mask;
   }
-  /// place[i] becomes the number of those of `met`, bit by bit, that are further than i, of nearly equal ones the later; for
-  /// one that is not met some place behind them. For distances that are not negative.
-  friend HWY_INLINE void places_by_distance(const Eight& distances, std::uint32_t met, std::array<std::int32_t, 8>& place) {
-    const KeyTag tag;
-    std::array<std::int32_t, 8> keys;
-    hn::Vec<KeyTag> key[parts], further[parts];
-    // The bits of a number as a whole number stand in the order of the numbers; the last three tell equal ones apart.
-    for (std::size_t i = 0; i < parts; ++i) {
-      const auto own = hn::Iota(tag, static_cast<std::int32_t>(i * lanes));
-      const auto here = hn::TestBit(hn::Set(tag, static_cast<std::int32_t>(met)), hn::Shl(hn::Set(tag, 1), own));
-      const auto rounded = hn::AndNot(hn::Set(tag, 7), hn::BitCast(tag, distances.raw_[i]));
-      key[i] = hn::IfThenElse(here, hn::Or(rounded, own), hn::Not(own));
-      hn::StoreU(key[i], tag, keys.data() + i * lanes);
-      further[i] = hn::Zero(tag);
-    }
-    for (const std::int32_t other : keys)
-      for (std::size_t i = 0; i < parts; ++i)
-        further[i] = hn::Sub(further[i], hn::VecFromMask(tag, hn::Gt(hn::Set(tag, other), key[i])));
-    for (std::size_t i = 0; i < parts; ++i) hn::StoreU(further[i], tag, place.data() + i * lanes);
-  }
 
  private:
+  friend class Met;
+  friend class MetInOrder;
   using PartTag = hn::CappedTag<float, 8>;
-  using KeyTag = hn::RebindToSigned<PartTag>;
   static constexpr std::size_t lanes = hn::MaxLanes(PartTag());
   static constexpr std::size_t parts = 8 / lanes;
 
   hn::Vec<PartTag> raw_[parts];
 };
 
-/// Bit j of number i of the result is bit i of number j.
-template <std::size_t count>
-HWY_INLINE std::array<std::uint32_t, 8> transposed(const std::array<std::uint8_t, count>& rows) {
-  const hn::FixedTag<std::uint8_t, count> tag;
-  const auto all = hn::LoadU(tag, rows.data());
-  std::array<std::uint32_t, 8> columns;
-  for (unsigned i = 0; i < 8; ++i) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(tag, hn::TestBit(all, hn::Set(tag, static_cast<std::uint8_t>(1u << i))), bytes);
-    std::memcpy(&columns[i], bytes, sizeof columns[i]);
+/// Which children of a node rays meet: for each child the rays, as bits.
+class Met {
+ public:
+  HWY_INLINE Met() {
+    for (auto& part : rays_) part = hn::Zero(WordTag());
   }
-  return columns;
-}
+
+  /// A ray, which is a bit, meets the children whose number of `from` is at most that of `to`.
+  HWY_INLINE void add(std::uint32_t ray, const Eight& from, const Eight& to) {
+    const auto word = hn::Set(WordTag(), static_cast<std::int32_t>(ray));
+    for (std::size_t i = 0; i < parts; ++i) {
+      const auto met = hn::RebindMask(WordTag(), hn::Le(from.raw_[i], to.raw_[i]));
+      rays_[i] = hn::Or(rays_[i], hn::IfThenElseZero(met, word));
+    }
+  }
+
+  /// Writes eight numbers to each place: first those of the children that are met. Returns how many these are.
+  HWY_INLINE std::size_t store(const std::array<std::int32_t, 8>& children, std::int32_t* rays, std::int32_t* child) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < parts; ++i) {
+      const auto met = hn::Ne(rays_[i], hn::Zero(WordTag()));
+      hn::StoreU(hn::Compress(rays_[i], met), WordTag(), rays + count);
+      hn::StoreU(hn::Compress(hn::LoadU(WordTag(), children.data() + i * lanes), met), WordTag(), child + count);
+      count += hn::CountTrue(WordTag(), met);
+    }
+    return count;
+  }
+
+ private:
+  friend class MetInOrder;
+  using WordTag = hn::RebindToSigned<Eight::PartTag>;
+  static constexpr std::size_t lanes = Eight::lanes, parts = Eight::parts;
+
+  hn::Vec<WordTag> rays_[parts];
+};
+
+/// The same, and for each child how far the nearest of its rays has to go.
+class MetInOrder {
+ public:
+  HWY_INLINE MetInOrder() {
+    for (auto& part : near_) part = hn::Set(PartTag(), std::numeric_limits<float>::infinity());
+  }
+
+  HWY_INLINE void add(std::uint32_t ray, const Eight& from, const Eight& to) {
+    met_.add(ray, from, to);
+    for (std::size_t i = 0; i < parts; ++i)
+      near_[i] = hn::IfThenElse(hn::Le(from.raw_[i], to.raw_[i]), hn::Min(near_[i], from.raw_[i]), near_[i]);
+  }
+
+  /// Those that are met stand in order, the nearest last.
+  HWY_INLINE std::size_t store(const std::array<std::int32_t, 8>& children, float* near, std::int32_t* rays,
+                               std::int32_t* child) const {
+    const WordTag tag;
+    const auto number = hn::Set(tag, 7), sign = hn::Set(tag, std::numeric_limits<std::int32_t>::min());
+    hn::Vec<WordTag> key[parts], children_of[parts];
+    std::size_t count = 0;
+    // The bits of a number as a whole number stand in the order of the numbers; the last three say which child it is.
+    for (std::size_t i = 0; i < parts; ++i) {
+      const auto own = hn::Iota(tag, static_cast<std::int32_t>(i * lanes));
+      const auto unmet = hn::Eq(met_.rays_[i], hn::Zero(tag));
+      const auto distance = hn::AndNot(hn::Or(sign, number), hn::BitCast(tag, near_[i]));
+      key[i] = hn::IfThenElse(unmet, hn::Or(sign, own), hn::Or(distance, own));
+      children_of[i] = hn::LoadU(tag, children.data() + i * lanes);
+      count += lanes - hn::CountTrue(tag, unmet);
+    }
+    sort(key);
+    for (std::size_t i = 0; i < parts; ++i) {
+      const auto own = hn::And(number, key[i]);
+      hn::StoreU(hn::BitCast(PartTag(), hn::AndNot(number, key[i])), PartTag(), near + i * lanes);
+      hn::StoreU(at(met_.rays_, own), tag, rays + i * lanes);
+      hn::StoreU(at(children_of, own), tag, child + i * lanes);
+    }
+    return count;
+  }
+
+ private:
+  using PartTag = Eight::PartTag;
+  using WordTag = Met::WordTag;
+  static constexpr std::size_t lanes = Eight::lanes, parts = Eight::parts;
+
+  static HWY_INLINE hn::Vec<WordTag> at(const hn::Vec<WordTag> (&words)[parts], hn::Vec<WordTag> place) {
+    const WordTag tag;
+    if constexpr (parts == 1) {
+      return hn::TableLookupLanes(words[0], hn::IndicesFromVec(tag, place));
+    } else {
+      const auto within = hn::IndicesFromVec(tag, hn::And(place, hn::Set(tag, static_cast<std::int32_t>(lanes - 1))));
+      return hn::IfThenElse(hn::Lt(place, hn::Set(tag, static_cast<std::int32_t>(lanes))),
+                            hn::TableLookupLanes(words[0], within), hn::TableLookupLanes(words[1], within));
+    }
+  }
+
+  /// The largest first, by a bitonic network: each step compares each key with a partner, and the one that stands first
+  /// becomes the larger of both.
+  static HWY_INLINE void sort(hn::Vec<WordTag> (&key)[parts]) {
+    const WordTag tag;
+    const hn::RepartitionToWide<WordTag> pairs;
+    const auto with_next = [](auto a) HWY_ATTR {
+      const auto b = hn::Shuffle2301(a);
+      return hn::OddEven(hn::Min(a, b), hn::Max(a, b));
+    };
+    const auto by_pairs = [tag, pairs](auto a, auto b) HWY_ATTR {
+      return hn::BitCast(tag, hn::OddEven(hn::BitCast(pairs, hn::Min(a, b)), hn::BitCast(pairs, hn::Max(a, b))));
+    };
+    for (auto& part : key) {
+      part = with_next(part);
+      part = by_pairs(part, hn::Shuffle0123(part));
+      part = with_next(part);
+    }
+    if constexpr (parts == 1) {
+      const auto b = hn::Reverse(tag, key[0]);
+      key[0] = hn::ConcatUpperLower(tag, hn::Min(key[0], b), hn::Max(key[0], b));
+    } else {
+      const auto b = hn::Shuffle0123(key[1]);
+      key[1] = hn::Shuffle0123(hn::Min(key[0], b));
+      key[0] = hn::Max(key[0], b);
+    }
+    for (auto& part : key) {
+      part = by_pairs(part, hn::Shuffle1032(part));
+      part = with_next(part);
+    }
+  }
+
+  Met met_;
+  hn::Vec<PartTag> near_[parts];
+};
 
 }  // namespace raylab::fast::RAYLAB_TARGET

@@ -154,12 +154,11 @@ class Eight {
   Eight() = default;
   explicit Eight(float a) { numbers_.fill(a); }
 
-  static Eight load(const std::array<float, 8>& numbers) {
+  static Eight load(const float* numbers) {
     Eight result;
-    result.numbers_ = numbers;
+    std::copy_n(numbers, 8, result.numbers_.begin());
     return result;
   }
-  void store(std::array<float, 8>& numbers) const { numbers = numbers_; }
 
   friend Eight multiply_subtract(const Eight& a, const Eight& b, const Eight& c) {
     Eight result;
@@ -172,33 +171,17 @@ class Eight {
   friend Eight greater(const Eight& a, const Eight& b) {
     return each(a, b, [](float x, float y) { return x > y ? x : y; });
   }
-  /// Number i of `yes` where that of `a` is at most that of `b`, else infinity.
-  friend Eight where_at_most(const Eight& a, const Eight& b, const Eight& yes) {
-    Eight result;
-    for (std::size_t i = 0; i < 8; ++i)
-      result.numbers_[i] = a.numbers_[i] <= b.numbers_[i] ? yes.numbers_[i] : std::numeric_limits<float>::infinity();
-    return result;
-  }
   /// Bit i: is number i of `a` at most that of `b`?
   friend std::uint32_t at_most(const Eight& a, const Eight& b) {
     std::uint32_t mask = 0;
     for (std::size_t i = 0; i < 8; ++i) mask |= static_cast<std::uint32_t>(a.numbers_[i] <= b.numbers_[i]) << i;
     return mask;
   }
-  /// place[i] becomes the number of those of `met`, bit by bit, that are further than i, of equal ones the later; for one
-  /// that is not met some place behind them.
-  friend void places_by_distance(const Eight& distances, std::uint32_t met, std::array<std::int32_t, 8>& place) {
-    const auto further = [&](std::size_t a, std::size_t b) {
-      const bool a_met = (met >> a & 1) != 0, b_met = (met >> b & 1) != 0;
-      return std::tuple(a_met, distances.numbers_[a], a) > std::tuple(b_met, distances.numbers_[b], b);
-    };
-    for (std::size_t i = 0; i < 8; ++i) {
-      place[i] = 0;
-      for (std::size_t k = 0; k < 8; ++k) place[i] += further(k, i) ? 1 : 0;
-    }
-  }
 
  private:
+  friend class Met;
+  friend class MetInOrder;
+
   template <class Function>
   static Eight each(const Eight& a, const Eight& b, Function function) {
     Eight result;
@@ -209,13 +192,67 @@ class Eight {
   std::array<float, 8> numbers_;
 };
 
-/// Bit j of number i of the result is bit i of number j, where only number 0 has any.
-template <std::size_t count>
-std::array<std::uint32_t, 8> transposed(const std::array<std::uint8_t, count>& rows) {
-  std::array<std::uint32_t, 8> columns;
-  for (unsigned i = 0; i < 8; ++i) columns[i] = (std::uint32_t{rows[0]} >> i) & 1u;
-  return columns;
-}
+/// Which children of a node rays meet: for each child the rays, as bits.
+class Met {
+ public:
+  /// A ray, which is a bit, meets the children whose number of `from` is at most that of `to`.
+  void add(std::uint32_t ray, const Eight& from, const Eight& to) {
+    for (std::size_t i = 0; i < 8; ++i)
+      if (from.numbers_[i] <= to.numbers_[i]) rays_[i] |= static_cast<std::int32_t>(ray);
+  }
+
+  /// Writes the numbers of the children that are met. Returns how many these are.
+  std::size_t store(const std::array<std::int32_t, 8>& children, std::int32_t* rays, std::int32_t* child) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 8; ++i) {
+      if (rays_[i] == 0) continue;
+      rays[count] = rays_[i];
+      child[count] = children[i];
+      ++count;
+    }
+    return count;
+  }
+
+ private:
+  friend class MetInOrder;
+
+  std::array<std::int32_t, 8> rays_{};
+};
+
+/// The same, and for each child how far the nearest of its rays has to go.
+class MetInOrder {
+ public:
+  MetInOrder() { near_.fill(std::numeric_limits<float>::infinity()); }
+
+  void add(std::uint32_t ray, const Eight& from, const Eight& to) {
+    met_.add(ray, from, to);
+    for (std::size_t i = 0; i < 8; ++i)
+      if (from.numbers_[i] <= to.numbers_[i]) near_[i] = std::min(near_[i], from.numbers_[i]);
+  }
+
+  /// They stand in order, the nearest last.
+  std::size_t store(const std::array<std::int32_t, 8>& children, float* near, std::int32_t* rays,
+                    std::int32_t* child) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 8; ++i) {
+      if (met_.rays_[i] == 0) continue;
+      std::size_t at = count++;
+      for (; at > 0 && near[at - 1] < near_[i]; --at) {
+        near[at] = near[at - 1];
+        rays[at] = rays[at - 1];
+        child[at] = child[at - 1];
+      }
+      near[at] = near_[i];
+      rays[at] = met_.rays_[i];
+      child[at] = children[i];
+    }
+    return count;
+  }
+
+ private:
+  Met met_;
+  std::array<float, 8> near_;
+};
 #endif
 
 }  // namespace raylab::fast::RAYLAB_TARGET

@@ -30,56 +30,34 @@ class Probes {
         const float along = static_cast<float>(direction[axis][i]);
         // A component of 0, which has no reciprocal, is as good as 1e-18.
         const float inverse = 1 / std::copysign(std::max(std::abs(along), 1e-18f), along);
-        const float entry = std::copysign(wider, along);
         Axis& a = axes_[axis];
         a.inverse[i] = inverse;
-        a.entry_start[i] = (from[axis][i] + entry) * inverse;
-        a.exit_start[i] = (from[axis][i] - entry) * inverse;
-        a.backwards[i] = std::bit_cast<std::uint32_t>(along) >> 31;
+        a.low_start[i] = (from[axis][i] + wider) * inverse;
+        a.high_start[i] = (from[axis][i] - wider) * inverse;
       }
   }
 
-  /// Bit k: may there be something in the box of child k, at up to `limit` along ray i? `near` becomes the distance of that
-  /// box, if it was further.
-  RAYLAB_INLINE std::uint32_t boxes_met(std::size_t i, const Hierarchy::Node& node, float limit, Eight& near) const {
+  /// Adds ray i, as bit i, to those children of a node in whose boxes there may be something at up to `limit` along it.
+  template <class Met>
+  RAYLAB_INLINE void meet_boxes(std::size_t i, const Hierarchy::Node& node, float limit, Met& met) const {
     Eight from(0.0f), to(limit);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Axis& a = axes_[axis];
       const Eight inverse(a.inverse[i]);
-      const std::size_t far = a.backwards[i];
-      from = greater(from, multiply_subtract(Eight::load(node.planes[far][axis]), inverse, Eight(a.entry_start[i])));
-      to = lesser(to, multiply_subtract(Eight::load(node.planes[1 - far][axis]), inverse, Eight(a.exit_start[i])));
+      const Eight low = multiply_subtract(Eight::load(node.planes[0][axis].data()), inverse, Eight(a.low_start[i]));
+      const Eight high = multiply_subtract(Eight::load(node.planes[1][axis].data()), inverse, Eight(a.high_start[i]));
+      from = greater(from, lesser(low, high));
+      to = lesser(to, greater(low, high));
     }
-    near = lesser(near, where_at_most(from, to, from));
-    return at_most(from, to);
+    met.add(std::uint32_t{1} << i, from, to);
   }
 
  private:
   struct Axis {
-    std::array<float, rays> inverse, entry_start, exit_start;
-    std::array<std::uint32_t, rays> backwards;  ///< 1: the ray crosses the planes where boxes end first
+    std::array<float, rays> inverse, low_start, high_start;
   };
 
   std::array<Axis, 3> axes_;
-};
-
-/// How far the ray of each lane is to be followed; below 0: no further.
-template <std::size_t lanes>
-class Limits {
- public:
-  Limits() { eights_.fill({-1, -1, -1, -1, -1, -1, -1, -1}); }
-
-  float& operator[](std::size_t lane) { return eights_[lane / 8][lane % 8]; }
-
-  /// Bit i: does that of lane i reach as far as `distance`?
-  RAYLAB_INLINE std::uint32_t reaching(float distance) const {
-    std::uint32_t mask = 0;
-    for (std::size_t i = 0; i < eights_.size(); ++i) mask |= at_most(Eight(distance), Eight::load(eights_[i])) << (8 * i);
-    return mask;
-  }
-
- private:
-  alignas(64) std::array<std::array<float, 8>, (lanes + 7) / 8> eights_;
 };
 
 /// What waits in a search: a node or a leaf, how far it is at least, and the rays, by lane, that may meet something there.
@@ -89,57 +67,51 @@ struct Waiting {
   Hierarchy::Child child;
 };
 
-/// The nearest one is at the top, but for those that were put below it earlier.
+/// With MetInOrder the nearest one is at the top, but for those that were put below it earlier. With Met they stand in any
+/// order, and nobody knows how far they are.
+template <class Met>
 class Stack {
  public:
   bool empty() const { return size_ == 0; }
 
   Waiting pop() {
     --size_;
-    return {near_[size_], lanes_[size_], child_[size_]};
+    return {in_order ? near_[size_] : 0, static_cast<std::uint32_t>(lanes_[size_]),
+            std::bit_cast<Hierarchy::Child>(child_[size_])};
   }
 
-  /// The children of `met`, the nearest last. All eight are written, each in its place in that order, and those not met
-  /// behind it: a loop over few children would end in a surprise for the machine each time.
-  RAYLAB_INLINE void push(const Hierarchy::Node& node, const Eight& distances, const std::array<std::uint32_t, 8>& lanes,
-                          std::uint32_t met) {
-    std::array<float, 8> near;
-    std::array<std::int32_t, 8> place;
-    distances.store(near);
-    places_by_distance(distances, met, place);
-    for (std::size_t i = 0; i < Hierarchy::width; ++i) {
-      const std::size_t at = size_ + static_cast<std::size_t>(place[i]);
-      near_[at] = near[i];
-      lanes_[at] = lanes[i];
-      child_[at] = node.child[i];
-    }
-    size_ += static_cast<std::size_t>(std::popcount(met));
+  /// Those children of the node that rays meet.
+  RAYLAB_INLINE void push(const Hierarchy::Node& node, const Met& met) {
+    const auto children = std::bit_cast<std::array<std::int32_t, Hierarchy::width>>(node.child);
+    if constexpr (in_order)
+      size_ += met.store(children, &near_[size_], &lanes_[size_], &child_[size_]);
+    else
+      size_ += met.store(children, &lanes_[size_], &child_[size_]);
   }
 
  private:
+  static constexpr bool in_order = std::is_same_v<Met, MetInOrder>;
   static constexpr std::size_t most = Hierarchy::deepest * (Hierarchy::width - 1) + 2 * Hierarchy::width;
 
   std::array<float, most> near_;
-  std::array<std::uint32_t, most> lanes_;
-  std::array<Hierarchy::Child, most> child_;
+  std::array<std::int32_t, most> lanes_, child_;
   std::size_t size_ = 0;
 };
 
-/// For a beam. Calls leaf(begin, count), near ones first, for each leaf in whose box there may be something at up to the
-/// distance that the last call returned; at first `limit`. Ends when that is below 0.
-template <class Leaf>
+/// For a beam. Calls leaf(begin, count) for each leaf in whose box there may be something at up to the distance that the
+/// last call returned; at first `limit`. Ends when that is below 0.
+template <class Met, class Leaf>
 void search_together(const Hierarchy& hierarchy, const Probes<1>& probe, float limit, Leaf leaf) {
-  constexpr std::array<std::uint32_t, 8> lanes{};
-  Stack stack;
+  Stack<Met> stack;
   Hierarchy::Child next = Hierarchy::Child::node(0);
   while (limit >= 0) {
     if (next.is_leaf())
       limit = leaf(next.begin(), next.count());
     else {
       const Hierarchy::Node& node = hierarchy.nodes()[next.number()];
-      Eight near(std::numeric_limits<float>::infinity());
-      const std::uint32_t met = probe.boxes_met(0, node, limit, near);
-      stack.push(node, near, lanes, met);
+      Met met;
+      probe.meet_boxes(0, node, limit, met);
+      stack.push(node, met);
     }
     float distance;
     do {
@@ -152,36 +124,29 @@ void search_together(const Hierarchy& hierarchy, const Probes<1>& probe, float l
 }
 
 /// For many rays that go different ways: each node is tested for one after the other, which keeps the machine busy where
-/// the way of a single ray would be one long wait. Calls leaf(begin, count, lane) for each leaf in whose box the ray of
-/// `lane` may meet something at up to limits[lane], which that call may lower; below 0 the ray is done.
-template <std::size_t most_lanes, class Leaf>
-void search_each(const Hierarchy& hierarchy, const Probes<most_lanes>& probes, std::uint32_t lanes,
-                 Limits<most_lanes>& limits, Leaf leaf) {
-  constexpr std::size_t rows = std::max<std::size_t>(16, most_lanes);  // what the smallest register holds
-
-  Stack stack;
+/// the way of a single ray would be one long wait. Calls leaf(begin, count, lanes) for each leaf in whose box rays may meet
+/// something as far as `limits` allow, which that call may shorten.
+template <std::size_t most_lanes, class Limits, class Leaf>
+void search_each(const Hierarchy& hierarchy, const Probes<most_lanes>& probes, std::uint32_t lanes, const Limits& limits,
+                 Leaf leaf) {
+  Stack<typename Limits::Met> stack;
   Waiting next = {0, lanes, Hierarchy::Child::node(0)};
   for (;;) {
     if (next.child.is_leaf()) {
-      for (std::uint32_t rest = next.lanes; rest != 0; rest &= rest - 1)
-        leaf(next.child.begin(), next.child.count(), static_cast<std::size_t>(std::countr_zero(rest)));
+      leaf(next.child.begin(), next.child.count(), next.lanes);
     } else {
       const Hierarchy::Node& node = hierarchy.nodes()[next.child.number()];
-      Eight near(std::numeric_limits<float>::infinity());
-      std::array<std::uint8_t, rows> boxes{};
-      std::uint32_t met = 0;
+      typename Limits::Met met;
       for (std::uint32_t rest = next.lanes; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-        const std::uint32_t here = probes.boxes_met(lane, node, limits[lane], near);
-        boxes[lane] = static_cast<std::uint8_t>(here);
-        met |= here;
+        probes.meet_boxes(lane, node, limits[lane], met);
       }
-      if (met != 0) stack.push(node, near, transposed(boxes), met);
+      stack.push(node, met);
     }
     do {
       if (stack.empty()) return;
       next = stack.pop();
-      next.lanes &= limits.reaching(next.near);
+      next.lanes &= limits.lanes_at(next.near);
     } while (next.lanes == 0);
   }
 }
@@ -192,13 +157,58 @@ float as_limit(T t) {
   return static_cast<float>(t) * (1 + 0x1p-19f);
 }
 
-/// Those of `lanes`, bit by bit; the others end at once.
-template <class T, std::size_t count>
-Limits<count> limits_of(std::uint32_t lanes, const std::array<T, count>& lengths) {
-  Limits<count> limits;
-  for (std::size_t lane = 0; lane < lengths.size(); ++lane)
-    limits[lane] = (lanes >> lane & 1) != 0 ? as_limit(lengths[lane]) : -1.0f;
-  return limits;
-}
+/// How far the ray of each lane is to be followed that looks for the nearest thing: less far with each that it finds.
+template <std::size_t count>
+class NearestLimits {
+ public:
+  using Met = MetInOrder;
+
+  /// Only those of `lanes`, bit by bit.
+  template <class T>
+  NearestLimits(std::uint32_t lanes, const std::array<T, count>& lengths) {
+    limits_.fill(-1);
+    for (std::size_t lane = 0; lane < count; ++lane)
+      if ((lanes >> lane & 1) != 0) shorten(lane, lengths[lane]);
+  }
+
+  float operator[](std::size_t lane) const { return limits_[lane]; }
+
+  template <class T>
+  void shorten(std::size_t lane, T length) {
+    limits_[lane] = as_limit(length);
+  }
+
+  /// Bit i: does the ray of lane i get as far as `distance`?
+  RAYLAB_INLINE std::uint32_t lanes_at(float distance) const {
+    std::uint32_t lanes = 0;
+    for (std::size_t i = 0; i < limits_.size(); i += 8) lanes |= at_most(Eight(distance), Eight::load(&limits_[i])) << i;
+    return lanes;
+  }
+
+ private:
+  alignas(64) std::array<float, (count + 7) / 8 * 8> limits_;
+};
+
+/// The same for rays that look for anything at all: then they are not followed any further. It does not matter to them what
+/// they find first, so nothing has to stand in order.
+template <std::size_t count>
+class AnyLimits {
+ public:
+  using Met = fast::RAYLAB_TARGET::Met;
+
+  template <class T>
+  AnyLimits(std::uint32_t lanes, const std::array<T, count>& lengths) : lanes_(lanes) {
+    for (std::size_t lane = 0; lane < count; ++lane) limits_[lane] = as_limit(lengths[lane]);
+  }
+
+  float operator[](std::size_t lane) const { return limits_[lane]; }
+  void stop(std::size_t lane) { lanes_ &= ~(std::uint32_t{1} << lane); }
+  std::uint32_t lanes_at(float) const { return lanes_; }
+  std::uint32_t lanes() const { return lanes_; }  ///< that have found nothing
+
+ private:
+  std::array<float, count> limits_;
+  std::uint32_t lanes_;
+};
 
 }  // namespace raylab::fast::RAYLAB_TARGET

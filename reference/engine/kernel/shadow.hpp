@@ -2,6 +2,9 @@
 
 namespace raylab::fast::RAYLAB_TARGET {
 
+/// What may hide lights in a scene: nothing, so few spheres that all are asked, or many, in a hierarchy.
+enum class Hiding { nothing, few, many };
+
 /// A light as points see it.
 template <class V>
 struct Seen {
@@ -35,6 +38,7 @@ class ShadowSearch {
   }
 
   /// Those of `open` that no opaque sphere hides from the light.
+  template <Hiding hiding>
   RAYLAB_INLINE Mask unblocked(const Hit<V>& hit, const Area<T>& area, const Seen<V>& light, Mask open) const {
     const SphereGroup& opaque = scene_.spheres.opaque;
     const Mask inside = open & hit.inside & (hit.place < spheres_.all_at(scene_.spheres.glass.begin));
@@ -44,7 +48,8 @@ class ShadowSearch {
       open = without(open, blocked_by(hit, light, open, i));
       return any(open);
     });
-    if (opaque.hierarchy && any(open)) open = search_unblocked(hit, light, beam, open);
+    if constexpr (hiding == Hiding::many)
+      if (any(open)) open = search_unblocked(hit, light, beam, open);
     return open;
   }
 
@@ -94,7 +99,7 @@ class ShadowSearch {
       open = without(open, blocked_by(hit, light, open, i));
       return any(open);
     };
-    if (spheres_.search_beam(scene_.spheres.opaque, beam, open, limit, visit) || none(open)) return open;
+    if (spheres_.template search_beam<Met>(scene_.spheres.opaque, beam, open, limit, visit) || none(open)) return open;
     return search_unblocked_each({hit.point, light.l, hit.place, hit.inside}, light.distance, open);
   }
 
@@ -103,19 +108,19 @@ class ShadowSearch {
     const Singles<V> rays(shadow);
     std::array<T, Lanes<V>::count> distances;
     store(distance, distances.data());
-    Limits<Lanes<V>::count> limits = limits_of(bits(open), distances);
-    std::uint32_t blocked = 0;
+    AnyLimits<Lanes<V>::count> limits(bits(open), distances);
     search_each(*group.hierarchy, rays.probes(*group.hierarchy), bits(open), limits,
-                [&](std::size_t begin, std::size_t count, std::size_t lane) RAYLAB_ATTRIBUTE {
+                [&](std::size_t begin, std::size_t count, std::uint32_t here) RAYLAB_ATTRIBUTE {
                   for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count) {
-                    const Meeting<Row> meeting = spheres_.meet_spheres(rays.ray(lane), i);
-                    if (none(meeting.met & (meeting.t < Row(distances[lane])))) continue;
-                    blocked |= 1u << lane;
-                    limits[lane] = -1;
-                    return;
+                    const auto spheres = spheres_.spheres_from(i);
+                    for (std::uint32_t rest = here & limits.lanes(); rest != 0; rest &= rest - 1) {
+                      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+                      const Meeting<Row> meeting = spheres_.meet_spheres(rays.ray(lane), spheres);
+                      if (any(meeting.met & (meeting.t < Row(distances[lane])))) limits.stop(lane);
+                    }
                   }
                 });
-    return without(open, mask_of<V>(blocked));
+    return mask_of<V>(limits.lanes());
   }
 
   const Prepared<T>& scene_;

@@ -52,19 +52,30 @@ class SphereSearch {
 
   V radius(std::size_t i) const { return V(scene_.spheres.radius[i]); }
 
-  /// The spheres of a leaf from place i on, as many as a Row holds. What stands behind the leaf is asked too: it does no
-  /// harm.
-  Meeting<Row> meet_spheres(const Alone<T>& ray, std::size_t i) const {
+  /// Spheres side by side. What stands behind a leaf is among them, too: it does no harm.
+  struct SphereRow {
+    std::size_t begin;  ///< the place of the first
+    Vec3<Row> center;
+    Row reach;
+    IndexOf<Row> place;
+  };
+
+  RAYLAB_INLINE SphereRow spheres_from(std::size_t i) const {
     const Spheres<T>& spheres = scene_.spheres;
-    const Vec3<Row> c = {load<Row>(&spheres.center.x[i]), load<Row>(&spheres.center.y[i]), load<Row>(&spheres.center.z[i])};
-    const Vec3<Row> o = spread<Row>(ray.origin);
-    const Passing<Row> passing = pass(o, spread<Row>(ray.direction), c);
-    const MaskOf<Row> own = lane_numbers<Row>() + IndexOf<Row>(static_cast<Whole>(i)) == IndexOf<Row>(ray.leaves);
-    const MaskOf<Row> asked = without(passing.apart <= load<Row>(&spheres.reach[i]), own);
+    return {i,
+            {load<Row>(&spheres.center.x[i]), load<Row>(&spheres.center.y[i]), load<Row>(&spheres.center.z[i])},
+            load<Row>(&spheres.reach[i]),
+            lane_numbers<Row>() + IndexOf<Row>(static_cast<Whole>(i))};
+  }
+
+  RAYLAB_INLINE Meeting<Row> meet_spheres(const Alone<T>& ray, const SphereRow& spheres) const {
+    const Vec3<Row> o = spread<Row>(ray.origin), d = spread<Row>(ray.direction);
+    const Passing<Row> passing = pass(o, d, spheres.center);
+    const MaskOf<Row> asked = without(passing.apart <= spheres.reach, spheres.place == IndexOf<Row>(ray.leaves));
     if (none(asked)) return {asked, Row(0), Row(0), asked};
-    const Row radius = load<Row>(&spheres.radius[i]);
+    const Row radius = load<Row>(&scene_.spheres.radius[spheres.begin]);
     if (any(starts_within(asked, passing, radius))) [[unlikely]]
-      return meet(asked, o, spread<Row>(ray.direction), c, radius);
+      return meet(asked, o, d, spheres.center, radius);
     return meet_from_afar(asked, passing, radius);
   }
 
@@ -84,7 +95,7 @@ class SphereSearch {
 
   /// Calls visit(i) for the spheres that the beam of `lanes` reaches, up to limit(), until that is below 0 or visit()
   /// returns false. False: gave up, or did not begin.
-  template <class Limit, class Visit>
+  template <class Met, class Limit, class Visit>
   RAYLAB_INLINE bool search_beam(const SphereGroup& group, const Beam<T>& beam, Mask lanes, Limit limit, Visit visit) const {
     if (count(lanes) < least_together || !(beam.growth < widest_together) || std::isnan(beam.direction.x)) return false;
     int leaves = most_leaves_together;
@@ -92,7 +103,7 @@ class SphereSearch {
       for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, visit);
       return --leaves > 0 ? limit() : -1.0f;
     };
-    search_together(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(), leaf);
+    search_together<Met>(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(), leaf);
     return leaves > 0;
   }
 
