@@ -38,8 +38,8 @@ class Probes {
   }
 
   /// Adds ray i, as bit i, to those children of a node in whose boxes there may be something at up to `limit` along it.
-  template <class Met>
-  RAYLAB_INLINE void meet_boxes(std::size_t i, const Hierarchy::Node& node, float limit, Met& met) const {
+  template <class Children>
+  RAYLAB_INLINE void meet_boxes(std::size_t i, const Hierarchy::Node& node, float limit, Children& met) const {
     Eight from(0.0f), to(limit);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Axis& a = axes_[axis];
@@ -69,7 +69,7 @@ struct Waiting {
 
 /// With MetInOrder the nearest one is at the top, but for those that were put below it earlier. With Met they stand in any
 /// order, and nobody knows how far they are.
-template <class Met>
+template <class Children>
 class Stack {
  public:
   bool empty() const { return size_ == 0; }
@@ -81,7 +81,7 @@ class Stack {
   }
 
   /// Those children of the node that rays meet.
-  RAYLAB_INLINE void push(const Hierarchy::Node& node, const Met& met) {
+  RAYLAB_INLINE void push(const Hierarchy::Node& node, const Children& met) {
     const auto children = std::bit_cast<std::array<std::int32_t, Hierarchy::width>>(node.child);
     if constexpr (in_order)
       size_ += met.store(children, &near_[size_], &lanes_[size_], &child_[size_]);
@@ -90,7 +90,7 @@ class Stack {
   }
 
  private:
-  static constexpr bool in_order = std::is_same_v<Met, MetInOrder>;
+  static constexpr bool in_order = std::is_same_v<Children, MetInOrder>;
   static constexpr std::size_t most = Hierarchy::deepest * (Hierarchy::width - 1) + 2 * Hierarchy::width;
 
   std::array<float, most> near_;
@@ -100,16 +100,16 @@ class Stack {
 
 /// For a beam. Calls leaf(begin, count) for each leaf in whose box there may be something at up to the distance that the
 /// last call returned; at first `limit`. Ends when that is below 0.
-template <class Met, class Leaf>
+template <class Children, class Leaf>
 void search_together(const Hierarchy& hierarchy, const Probes<1>& probe, float limit, Leaf leaf) {
-  Stack<Met> stack;
+  Stack<Children> stack;
   Hierarchy::Child next = Hierarchy::Child::node(0);
   while (limit >= 0) {
     if (next.is_leaf())
       limit = leaf(next.begin(), next.count());
     else {
       const Hierarchy::Node& node = hierarchy.nodes()[next.number()];
-      Met met;
+      Children met;
       probe.meet_boxes(0, node, limit, met);
       stack.push(node, met);
     }
@@ -129,14 +129,14 @@ void search_together(const Hierarchy& hierarchy, const Probes<1>& probe, float l
 template <std::size_t most_lanes, class Limits, class Leaf>
 void search_each(const Hierarchy& hierarchy, const Probes<most_lanes>& probes, std::uint32_t lanes, const Limits& limits,
                  Leaf leaf) {
-  Stack<typename Limits::Met> stack;
+  Stack<typename Limits::Children> stack;
   Waiting next = {0, lanes, Hierarchy::Child::node(0)};
   for (;;) {
     if (next.child.is_leaf()) {
       leaf(next.child.begin(), next.child.count(), next.lanes);
     } else {
       const Hierarchy::Node& node = hierarchy.nodes()[next.child.number()];
-      typename Limits::Met met;
+      typename Limits::Children met;
       for (std::uint32_t rest = next.lanes; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
         probes.meet_boxes(lane, node, limits[lane], met);
@@ -161,7 +161,7 @@ float as_limit(T t) {
 template <std::size_t count>
 class NearestLimits {
  public:
-  using Met = MetInOrder;
+  using Children = MetInOrder;
 
   /// Only those of `lanes`, bit by bit.
   template <class T>
@@ -194,7 +194,7 @@ class NearestLimits {
 template <std::size_t count>
 class AnyLimits {
  public:
-  using Met = fast::RAYLAB_TARGET::Met;
+  using Children = Met;
 
   template <class T>
   AnyLimits(std::uint32_t lanes, const std::array<T, count>& lengths) : lanes_(lanes) {

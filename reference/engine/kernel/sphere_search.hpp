@@ -94,8 +94,8 @@ class SphereSearch {
   }
 
   /// Calls visit(i) for the spheres that the beam of `lanes` reaches, up to limit(), until that is below 0 or visit()
-  /// returns false. False: gave up, or did not begin.
-  template <class Met, class Limit, class Visit>
+  /// returns false. False: gave up, or did not begin. `Children` as in Stack.
+  template <class Children, class Limit, class Visit>
   RAYLAB_INLINE bool search_beam(const SphereGroup& group, const Beam<T>& beam, Mask lanes, Limit limit, Visit visit) const {
     if (count(lanes) < least_together || !(beam.growth < widest_together) || std::isnan(beam.direction.x)) return false;
     int leaves = most_leaves_together;
@@ -103,7 +103,7 @@ class SphereSearch {
       for_each_reached(beam, group.loop_end + begin, group.loop_end + begin + count, visit);
       return --leaves > 0 ? limit() : -1.0f;
     };
-    search_together<Met>(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(), leaf);
+    search_together<Children>(*group.hierarchy, probe_for(beam, *group.hierarchy), limit(), leaf);
     return leaves > 0;
   }
 
