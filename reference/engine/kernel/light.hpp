@@ -49,13 +49,14 @@ class Lighting {
 
   /// All the light that surfaces send back against `d`, but for their colors.
   RAYLAB_INLINE V light_on(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
-    if (scene_.features.highlights) return all_lights<true>(hit, d, look, lit, counts);
-    return all_lights<false>(hit, d, look, lit, counts);
+    if (scene_.features.highlights) return light_as_hidden<true>(hit, d, look, lit, counts);
+    return light_as_hidden<false>(hit, d, look, lit, counts);
   }
 
  private:
   template <bool highlights>
-  RAYLAB_INLINE V all_lights(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit, RayCounts& counts) const {
+  RAYLAB_INLINE V light_as_hidden(const Hit<V>& hit, const Vec3<V>& d, const Look<V>& look, Mask lit,
+                                  RayCounts& counts) const {
     if (!scene_.features.shadows) return all_lights<highlights, Hiding::nothing>(hit, d, look, lit, counts);
     if (!scene_.spheres.opaque.hierarchy) return all_lights<highlights, Hiding::few>(hit, d, look, lit, counts);
     return all_lights<highlights, Hiding::many>(hit, d, look, lit, counts);

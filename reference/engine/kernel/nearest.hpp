@@ -45,6 +45,7 @@ class NearestSearch {
 
  private:
   using Row = typename SphereSearch<V>::Row;
+  using SphereRow = typename SphereSearch<V>::SphereRow;
 
   /// To ask so many is faster than to find out which ones a beam reaches.
   static constexpr std::size_t few_spheres = 8;
@@ -162,28 +163,21 @@ class NearestSearch {
   }
 
   void search_nearest_each(const Ray<V>& ray, Mask lanes, const SphereGroup& group, Nearest<V>& best) const {
-    const Singles<V> rays(ray);
     std::array<T, Lanes<V>::count> t;
     std::array<Whole, Lanes<V>::count> places;
     store(best.t, t.data());
     store(best.place, places.data());
     NearestLimits<Lanes<V>::count> limits(bits(lanes), t);
-    search_each(*group.hierarchy, rays.probes(*group.hierarchy), bits(lanes), limits,
-                [&](std::size_t begin, std::size_t count, std::uint32_t here) RAYLAB_ATTRIBUTE {
-                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count) {
-                    const auto spheres = spheres_.spheres_from(i);
-                    for (std::uint32_t rest = here; rest != 0; rest &= rest - 1) {
-                      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-                      if (nearer_of_spheres(rays.ray(lane), spheres, t[lane], places[lane])) limits.shorten(lane, t[lane]);
-                    }
-                  }
-                });
+    spheres_.search_alone(group, ray, limits,
+                          [&](std::size_t lane, const Alone<T>& alone, const SphereRow& spheres) RAYLAB_ATTRIBUTE {
+                            if (nearer_of_spheres(alone, spheres, t[lane], places[lane])) limits.shorten(lane, t[lane]);
+                          });
     best.t = load<V>(t.data());
     best.place = load_index<V>(places.data());
   }
 
   /// Does the ray meet one of the spheres before `t`? Then that becomes the nearest one's distance, and `place` its place.
-  bool nearer_of_spheres(const Alone<T>& ray, const typename SphereSearch<V>::SphereRow& spheres, T& t, Whole& place) const {
+  bool nearer_of_spheres(const Alone<T>& ray, const SphereRow& spheres, T& t, Whole& place) const {
     const Meeting<Row> meeting = spheres_.meet_spheres(ray, spheres);
     if (none(meeting.met)) return false;
     std::array<T, Lanes<Row>::count> distances;

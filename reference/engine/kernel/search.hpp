@@ -60,7 +60,8 @@ class Probes {
   std::array<Axis, 3> axes_;
 };
 
-/// What waits in a search: a node or a leaf, how far it is at least, and the rays, by lane, that may meet something there.
+/// What waits in a search: a node or a leaf, how far it is at least (0: nobody knows), and the rays, by lane, that may meet
+/// something there.
 struct Waiting {
   float near;
   std::uint32_t lanes;
@@ -68,7 +69,7 @@ struct Waiting {
 };
 
 /// With MetInOrder the nearest one is at the top, but for those that were put below it earlier. With Met they stand in any
-/// order, and nobody knows how far they are.
+/// order, without their distances.
 template <class Children>
 class Stack {
  public:
@@ -127,10 +128,9 @@ void search_together(const Hierarchy& hierarchy, const Probes<1>& probe, float l
 /// the way of a single ray would be one long wait. Calls leaf(begin, count, lanes) for each leaf in whose box rays may meet
 /// something as far as `limits` allow, which that call may shorten.
 template <std::size_t most_lanes, class Limits, class Leaf>
-void search_each(const Hierarchy& hierarchy, const Probes<most_lanes>& probes, std::uint32_t lanes, const Limits& limits,
-                 Leaf leaf) {
+void search_each(const Hierarchy& hierarchy, const Probes<most_lanes>& probes, const Limits& limits, Leaf leaf) {
   Stack<typename Limits::Children> stack;
-  Waiting next = {0, lanes, Hierarchy::Child::node(0)};
+  Waiting next = {0, limits.lanes_at(0), Hierarchy::Child::node(0)};
   for (;;) {
     if (next.child.is_leaf()) {
       leaf(next.child.begin(), next.child.count(), next.lanes);

@@ -55,6 +55,7 @@ class ShadowSearch {
 
  private:
   using Row = typename SphereSearch<V>::Row;
+  using SphereRow = typename SphereSearch<V>::SphereRow;
 
   Index place_of_plane(int i) const { return spheres_.all_at(scene_.first_plane() + static_cast<std::size_t>(i)); }
 
@@ -104,22 +105,14 @@ class ShadowSearch {
   }
 
   Mask search_unblocked_each(const Ray<V>& shadow, V distance, Mask open) const {
-    const SphereGroup& group = scene_.spheres.opaque;
-    const Singles<V> rays(shadow);
     std::array<T, Lanes<V>::count> distances;
     store(distance, distances.data());
     AnyLimits<Lanes<V>::count> limits(bits(open), distances);
-    search_each(*group.hierarchy, rays.probes(*group.hierarchy), bits(open), limits,
-                [&](std::size_t begin, std::size_t count, std::uint32_t here) RAYLAB_ATTRIBUTE {
-                  for (std::size_t i = group.loop_end + begin; i < group.loop_end + begin + count; i += Lanes<Row>::count) {
-                    const auto spheres = spheres_.spheres_from(i);
-                    for (std::uint32_t rest = here & limits.lanes(); rest != 0; rest &= rest - 1) {
-                      const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-                      const Meeting<Row> meeting = spheres_.meet_spheres(rays.ray(lane), spheres);
-                      if (any(meeting.met & (meeting.t < Row(distances[lane])))) limits.stop(lane);
-                    }
-                  }
-                });
+    spheres_.search_alone(scene_.spheres.opaque, shadow, limits,
+                          [&](std::size_t lane, const Alone<T>& ray, const SphereRow& spheres) RAYLAB_ATTRIBUTE {
+                            const Meeting<Row> meeting = spheres_.meet_spheres(ray, spheres);
+                            if (any(meeting.met & (meeting.t < Row(distances[lane])))) limits.stop(lane);
+                          });
     return mask_of<V>(limits.lanes());
   }
 

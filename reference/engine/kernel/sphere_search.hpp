@@ -60,6 +60,7 @@ class SphereSearch {
     IndexOf<Row> place;
   };
 
+  /// From place i on.
   RAYLAB_INLINE SphereRow spheres_from(std::size_t i) const {
     const Spheres<T>& spheres = scene_.spheres;
     return {i,
@@ -77,6 +78,24 @@ class SphereSearch {
     if (any(starts_within(asked, passing, radius))) [[unlikely]]
       return meet(asked, o, d, spheres.center, radius);
     return meet_from_afar(asked, passing, radius);
+  }
+
+  /// Calls visit(lane, ray, spheres) for each ray and the spheres of the leaves that it may meet as far as `limits` allow,
+  /// which that call may shorten.
+  template <class Limits, class Visit>
+  RAYLAB_INLINE void search_alone(const SphereGroup& group, const Ray<V>& ray, const Limits& limits, Visit visit) const {
+    const Singles<V> rays(ray);
+    const auto leaf = [&](std::size_t begin, std::size_t count, std::uint32_t lanes) RAYLAB_ATTRIBUTE {
+      const std::size_t first = group.loop_end + begin;
+      for (std::size_t i = first; i < first + count; i += Lanes<Row>::count) {
+        const SphereRow spheres = spheres_from(i);
+        for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
+          const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+          visit(lane, rays.ray(lane), spheres);
+        }
+      }
+    };
+    search_each(*group.hierarchy, rays.probes(*group.hierarchy), limits, leaf);
   }
 
   /// Calls visit(i) for the spheres from `begin` up to `end` that the beam reaches, until it returns false.
